@@ -1,0 +1,122 @@
+// What is simulated: the validated, immutable content of a scene file. Numbers are the doubles that the
+// file stores; an engine of another scalar lifts them exactly or rounds them once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tps {
+
+/// Components beyond `Scene::dimension` are zero.
+using Coordinates = std::array<double, 3>;
+
+/// A kind of particle. `mass` is in (0, ∞]; `radius` is in [0, ∞).
+struct Species {
+  std::string name;
+  double mass = 1;
+  double radius = 0;
+  std::optional<int> max_tethers;  ///< tethers that count towards the capacity; none: unlimited
+};
+
+/// Inner limit of a pair (semantics §2): a blocking collision at `distance`, answered by eq. (4).
+struct BlockingLaw {
+  double distance = 0;
+  double c_rebound = 1;
+};
+
+/// When a tether forms at a blocking collision (semantics §3).
+struct FormRule {
+  enum class When { never, always, probability, permanent };
+  When when = When::always;
+  double probability = 1;  ///< used with When::probability
+};
+
+/// When a tether breaks at a tethering collision (semantics §3).
+struct BreakRule {
+  enum class When { never, always, probability, impulse_above };
+  When when = When::never;
+  double probability = 0;  ///< used with When::probability
+  double threshold = 0;    ///< |Δp| above which it breaks; used with When::impulse_above
+};
+
+/// Outer limit of a tethered pair: retraction by eq. (4) or revolution by eq. (5) at `distance`.
+struct TetheringLaw {
+  double distance = 0;
+  double c_retract = 1;
+  double c_revolve = 1;
+  double theta_revolve_deg = 45;
+  FormRule form;
+  BreakRule breaks;
+};
+
+/// How two species interact; species are indices into Scene::species, species_a <= species_b.
+struct PairLaw {
+  int species_a = 0;
+  int species_b = 0;
+  std::optional<BlockingLaw> blocking;
+  std::optional<TetheringLaw> tethering;
+};
+
+/// Replaces rules of a pair of species while from <= t < until.
+struct Phase {
+  double from = 0;
+  double until = 0;
+  int species_a = 0;
+  int species_b = 0;
+  std::optional<FormRule> form;
+  std::optional<BreakRule> breaks;
+};
+
+/// An impulse from outside on one particle (an index into Scene::particles) at a given time.
+struct ScheduledImpulse {
+  double at = 0;
+  int particle = 0;
+  Coordinates impulse{};
+};
+
+/// Grouping of nearly simultaneous collisions (eqs. 6-7).
+struct Grouping {
+  double dt_restitute = 0;
+};
+
+/// `id` is what files and traces call the particle; Scene::particles is sorted by it.
+struct Particle {
+  std::int32_t id = 0;
+  int species = 0;
+  Coordinates position{};
+  Coordinates velocity{};
+};
+
+/// A pair of indices into Scene::particles, first < second.
+struct Tether {
+  int i = 0;
+  int j = 0;
+};
+
+/// What the summary counts as a cluster: connected components of (non-permanent) tethers that hold at
+/// least `at_least` particles of `species`.
+struct ClusterObservation {
+  int species = 0;
+  int at_least = 3;
+};
+
+struct Scene {
+  std::string title;
+  int dimension = 3;
+  double start_time = 0;  ///< the clock at the start; every other time of a scene counts from the start
+  double duration = 0;    ///< in (0, ∞]
+  std::uint64_t seed = 0;
+  std::vector<Species> species;
+  std::vector<PairLaw> pairs;
+  std::optional<Grouping> grouping;
+  std::vector<Phase> phases;
+  std::vector<ScheduledImpulse> impulses;
+  std::vector<Particle> particles;
+  std::vector<Tether> tethers;  ///< formed at the start; permanent ones are implied by their law, never listed
+  std::optional<ClusterObservation> clusters;
+};
+
+}  // namespace tps
