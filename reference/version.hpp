@@ -1,0 +1,14 @@
+// Versions that every file we write names.
+#pragma once
+
+#include <string_view>
+
+namespace tps {
+
+/// The project's version, as in CMakeLists.txt.
+std::string_view version();
+
+/// The version of the page of semantics that fixes what the paper leaves open (docs/decisions.md).
+inline constexpr int kSemanticsVersion = 1;
+
+}  // namespace tps
