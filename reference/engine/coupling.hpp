@@ -1,0 +1,65 @@
+// How colliding particles pass an impulse on: each for itself (eq. 3), or as bodies that are grouped for a
+// while (eqs. 6-7, effects/grouping.hpp).
+#pragma once
+
+#include <vector>
+
+#include "reference/engine/record.hpp"
+#include "reference/engine/tethers.hpp"
+#include "reference/equations/collision_frame.hpp"
+#include "reference/equations/eq3_apply_impulse.hpp"
+
+namespace tps {
+
+template <typename Scalar, int D>
+class World;
+
+/// A collision between the bodies of two particles, before it is answered.
+template <typename Scalar, int D>
+struct Collision {
+  int i, j;  ///< i < j
+  Limit limit;
+  CollisionFrame<Scalar, D> frame;  ///< from the positions of i and j and the velocities of their bodies
+  Scalar mass_i, mass_j;            ///< of the bodies
+  Vector<Scalar, D> dp;             ///< by eq. (4) or (5)
+};
+
+template <typename Scalar, int D>
+class Coupling {
+ public:
+  virtual ~Coupling() = default;
+  /// Whether two particles move as one: then they have no events with each other.
+  virtual bool together(int i, int j) const = 0;
+  /// Mass of the body that a particle belongs to.
+  virtual Scalar body_mass(const World<Scalar, D>& world, int i) const = 0;
+  /// Answers a collision: changes velocities and completes its record, which is still open.
+  virtual void collide(World<Scalar, D>& world, const Collision<Scalar, D>& collision,
+                       Record<Scalar, D>& record) = 0;
+  /// An impulse from outside on a particle, which acts on its whole body.
+  virtual void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse,
+                    Record<Scalar, D>& record) = 0;
+};
+
+/// Every particle is its own body; eq. (3) acts at once.
+template <typename Scalar, int D>
+class FreeCoupling final : public Coupling<Scalar, D> {
+ public:
+  bool together(int, int) const override { return false; }
+
+  Scalar body_mass(const World<Scalar, D>& world, int i) const override { return world.mass(i); }
+
+  void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>&) override {
+    const PairVelocities<Scalar, D> v =
+        apply_impulse<Scalar, D>(c.mass_i, c.mass_j, world.velocity(c.i), world.velocity(c.j), c.dp);
+    world.set_velocity(c.i, v.v_A);
+    world.set_velocity(c.j, v.v_B);
+    if (world.fixed(c.j)) world.ledger.add_from_walls(c.dp);
+    if (world.fixed(c.i)) world.ledger.add_from_walls(Vector<Scalar, D>(-c.dp));
+  }
+
+  void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse, Record<Scalar, D>&) override {
+    world.set_velocity(i, world.velocity(i) + impulse / world.mass(i));
+  }
+};
+
+}  // namespace tps

@@ -1,0 +1,88 @@
+// An effect: one thing that can happen in a scene. The simulation is put together from those that the scene
+// calls for, and knows none of them by name.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/engine/clock.hpp"
+#include "reference/engine/laws.hpp"
+#include "reference/engine/queue.hpp"
+#include "reference/equations/vector.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps {
+
+template <typename Scalar, int D>
+class World;
+
+/// Two particles at one moment, the later of their two clocks.
+template <typename Scalar, int D>
+struct PairView {
+  int i, j;  ///< i < j
+  Vector<Scalar, D> u_i, u_j, v_i, v_j;
+};
+
+/// Whether a scene calls for an effect, for people: `tps explain`.
+struct EffectCall {
+  std::string name;
+  std::string what;                  ///< in a few words, with its equations
+  std::vector<std::string> because;  ///< places of the scene that call for it; empty: not simulated
+  std::string called_by;             ///< what in a scene would call for it
+  std::string cost;                  ///< what it adds to the run, in particles, pairs, events
+};
+
+/// "species A - species B", as a place of a scene.
+inline std::string between(const Scene& scene, const PairLaw& pair) {
+  const auto& name_of = [&](int species) { return scene.species[static_cast<std::size_t>(species)].name; };
+  return name_of(pair.species_a) + " - " + name_of(pair.species_b);
+}
+
+/// How many pairs of particles follow a law that satisfies the condition.
+template <typename Condition>
+std::uint64_t interacting_pairs(const Scene& scene, Condition condition) {
+  std::vector<std::uint64_t> count(scene.species.size(), 0);
+  for (const Particle& p : scene.particles) ++count[static_cast<std::size_t>(p.species)];
+  std::uint64_t pairs = 0;
+  for (const PairLaw& law : scene.pairs) {
+    if (!condition(law)) continue;
+    const std::uint64_t a = count[static_cast<std::size_t>(law.species_a)];
+    const std::uint64_t b = count[static_cast<std::size_t>(law.species_b)];
+    pairs += law.species_a == law.species_b ? a * (a - (a > 0 ? 1 : 0)) / 2 : a * b;
+  }
+  return pairs;
+}
+
+template <typename Scalar, int D>
+class Effect {
+ public:
+  virtual ~Effect() = default;
+
+  /// Once, before anything is predicted: sets up what it needs. `self` is the index under which it is called
+  /// back.
+  virtual void begin(World<Scalar, D>&, int /*self*/) {}
+
+  /// Queues the events that it knows in advance, on the present state: at the start and after a resume.
+  virtual void queue_known(World<Scalar, D>&) {}
+
+  /// The time from now to this effect's next event of a pair, if it has one on the present states.
+  virtual std::optional<Scalar> predict(const World<Scalar, D>&, const PairView<Scalar, D>&) const {
+    return std::nullopt;
+  }
+  virtual bool predicts_pairs() const { return false; }
+
+  /// Queues again what a change of these particles has voided, other than events of pairs.
+  virtual void refresh(World<Scalar, D>&, const std::vector<int>& /*touched*/) {}
+
+  /// One of its events is due: changes the world and closes a record (or several).
+  virtual void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) = 0;
+
+  /// How many of the events known in advance have happened; a resumed run starts there.
+  virtual std::uint64_t progress() const { return 0; }
+  virtual void resume(World<Scalar, D>&, std::uint64_t /*progress*/) {}
+};
+
+}  // namespace tps

@@ -1,0 +1,114 @@
+// Tethering: two separating tethered particles at their outer limit are retracted, eqs. (3) and (4), or
+// revolve, eq. (5); the tether may break instead (semantics §3).
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "reference/engine/effect.hpp"
+#include "reference/engine/response.hpp"
+#include "reference/equations/eq2_collision_time.hpp"
+#include "reference/equations/tether_response.hpp"
+
+namespace tps::effects {
+
+template <typename Scalar, int D>
+class Tethering final : public Effect<Scalar, D> {
+ public:
+  bool predicts_pairs() const override { return true; }
+
+  std::optional<Scalar> predict(const World<Scalar, D>& world,
+                                const PairView<Scalar, D>& pair) const override {
+    if (!world.tethered(pair.i, pair.j)) return std::nullopt;
+    const auto& tethering = *world.law(pair.i, pair.j).tethering;
+    const CollisionTime<Scalar> next =
+        tether_time<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, tethering.distance);
+    // A pair that has just been pulled can only come back by way of the inside.
+    const bool may_be_at_limit = !world.responded.contains(pair.i, pair.j, Limit::outer);
+    return may_be_at_limit || next.verdict == TimingVerdict::hit ? next.t : std::nullopt;
+  }
+
+  void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
+    const int i = event.first;
+    const int j = event.second;
+    const auto& law = *world.law(i, j).tethering;
+    Record<Scalar, D> record = world.open_record("retract", i, j);
+    Collision<Scalar, D> collision = collision_now(world, i, j, Limit::outer);
+    observe_collision(world, collision, law.distance);
+    const bool separating = collision.frame.v_n >= Scalar(0);
+    Scalar loss(0);
+    if (separating) {
+      const TetherResponse<Scalar, D> pulled =
+          tether_response<Scalar, D>(collision.frame, collision.mass_i, collision.mass_j, law.c_retract,
+                                     law.c_revolve, law.theta_revolve_deg);
+      collision.dp = pulled.dp;
+      loss = energy_lost(collision, law, pulled.kind);
+      if (pulled.kind == TetherResponseKind::revolve) record.kind = "revolve";
+    }
+    if (breaks(world, law, collision, record)) {
+      record.kind = "break";
+      record.tether = TetherChange::broken;
+      world.tethers.remove(i, j);
+    } else {
+      answer(world, collision, separating, loss, record);
+    }
+    world.close_record(record);
+  }
+
+ private:
+  using TetheringOfPair = typename Law<Scalar>::Tethering;
+
+  /// By eq. (4): ½ μ (1 − c²) v_n²; by eq. (5): ½ μ (1 − c^(2θ/π)) |v_AB|².
+  static Scalar energy_lost(const Collision<Scalar, D>& c, const TetheringOfPair& law,
+                            TetherResponseKind kind) {
+    using std::pow;
+    const Scalar half_mu = reduced_mass<Scalar>(c.mass_i, c.mass_j) / Scalar(2);
+    if (kind == TetherResponseKind::retract) {
+      return half_mu * (Scalar(1) - law.c_retract * law.c_retract) * c.frame.v_n * c.frame.v_n;
+    }
+    const Scalar kept = pow(law.c_revolve, Scalar(law.theta_revolve_deg / Scalar(90)));
+    return half_mu * (Scalar(1) - kept) * c.frame.v_AB.squaredNorm();
+  }
+
+  static bool breaks(World<Scalar, D>& world, const TetheringOfPair& law, const Collision<Scalar, D>& c,
+                     Record<Scalar, D>& record) {
+    using std::sqrt;
+    switch (law.breaks.when) {
+      case BreakRule::When::never:
+        return false;
+      case BreakRule::When::always:
+        return true;
+      case BreakRule::When::probability:
+        record.draw = world.draw(Purpose::tether_break, c.i, c.j);
+        return *record.draw < law.breaks.probability;
+      case BreakRule::When::impulse_above:
+        return sqrt(c.dp.squaredNorm()) > Scalar(law.breaks.threshold);
+    }
+    return false;
+  }
+};
+
+struct tethering {
+  static EffectCall call(const Scene& scene) {
+    EffectCall call{"tethering",
+                    "tethered particles are retracted or revolve, eqs. 3-5",
+                    {},
+                    "a pair with \"tethering\"",
+                    {}};
+    for (const PairLaw& pair : scene.pairs) {
+      if (pair.tethering) call.because.push_back(between(scene, pair));
+    }
+    const auto permanent = [](const PairLaw& p) {
+      return p.tethering && p.tethering->form.when == FormRule::When::permanent;
+    };
+    call.cost = std::to_string(interacting_pairs(scene, permanent)) + " pairs tethered for ever, " +
+                std::to_string(scene.tethers.size()) + " at the start; others as they form";
+    return call;
+  }
+  template <typename Scalar, int D>
+  static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {
+    return std::make_unique<Tethering<Scalar, D>>();
+  }
+};
+
+}  // namespace tps::effects

@@ -1,0 +1,74 @@
+// What a run must conserve, added up event by event from the formulas and not from the velocities, so that
+// the difference between the two measures the run.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "reference/equations/vector.hpp"
+
+namespace tps {
+
+/// A running sum that also carries what rounding took away (Neumaier 1974).
+template <typename Scalar>
+class Sum {
+ public:
+  Sum() = default;
+  Sum(const Scalar& total, const Scalar& rest) : total_(total), rest_(rest) {}
+
+  Sum& operator+=(const Scalar& x) {
+    using std::abs;
+    const Scalar sum = total_ + x;
+    rest_ += abs(total_) >= abs(x) ? Scalar((total_ - sum) + x) : Scalar((x - sum) + total_);
+    total_ = sum;
+    return *this;
+  }
+  Scalar value() const { return total_ + rest_; }
+  const Scalar& total() const { return total_; }
+  const Scalar& rest() const { return rest_; }
+
+ private:
+  Scalar total_{0};
+  Scalar rest_{0};
+};
+
+/// Energies and momenta of a run. Energies are kinetic ones in the frame of the infinite masses (of the
+/// scene, where there is none): there a wall does no work.
+///
+/// Law: kinetic + stored + lost − work = kinetic at the start, up to `energy_bound`; momentum of the finite
+/// masses − from_walls − from_outside = that at the start, up to `momentum_bound` (docs/ledger.md).
+template <typename Scalar, int D>
+struct Ledger {
+  Scalar kinetic_at_start{0};
+  Vector<Scalar, D> momentum_at_start = Vector<Scalar, D>::Zero();
+  Sum<Scalar> lost;  ///< Σ ½ μ (1 − c²) v_n² by eq. (4), ½ μ (1 − c^(2θ/π)) |v_AB|² by eq. (5)
+  Sum<Scalar> stored;                                               ///< Σ over live nodes of |Δp_AB|²/2μ
+  Sum<Scalar> work;                                                 ///< of impulses from outside
+  std::array<Sum<Scalar>, static_cast<std::size_t>(D)> from_walls;  ///< momentum that infinite masses gave
+  std::array<Sum<Scalar>, static_cast<std::size_t>(D)>
+      from_outside;  ///< momentum that impulses from outside gave
+  Scalar energy_bound{0};
+  Scalar momentum_bound{0};
+
+  void add_from_walls(const Vector<Scalar, D>& impulse) {
+    for (int k = 0; k < D; ++k) from_walls[static_cast<std::size_t>(k)] += impulse[k];
+  }
+  void add_from_outside(const Vector<Scalar, D>& impulse) {
+    for (int k = 0; k < D; ++k) from_outside[static_cast<std::size_t>(k)] += impulse[k];
+  }
+
+  /// Adds what rounding may have done to a particle of mass m whose speed an event changed: each velocity is
+  /// computed with a relative error of at most kRoundings u, u = ε/2 (the derivation counts them,
+  /// docs/ledger.md).
+  void add_rounding(const Scalar& mass, const Scalar& speed) {
+    const Scalar share = Scalar(kRoundings / 2) * std::numeric_limits<Scalar>::epsilon() * mass * speed;
+    momentum_bound += share;
+    energy_bound += share * speed;
+  }
+
+  static constexpr int kRoundings = 64;
+};
+
+}  // namespace tps

@@ -1,0 +1,78 @@
+// What rebound and tethering have in common: the collision of two bodies seen as eqs. (4) and (5) see it, and
+// the bookkeeping around its answer.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/engine/coupling.hpp"
+#include "reference/engine/world.hpp"
+#include "reference/equations/collision_frame.hpp"
+
+namespace tps {
+
+/// The unit in the last place of a pair's largest coordinate: what a distance can be off by through storage.
+template <typename Scalar, int D>
+Scalar coordinate_ulp(const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j) {
+  using std::abs;
+  using std::frexp;
+  using std::ldexp;
+  Scalar largest(0);
+  for (int k = 0; k < D; ++k) largest = std::max({largest, Scalar(abs(u_i[k])), Scalar(abs(u_j[k]))});
+  int exponent = 0;
+  static_cast<void>(frexp(largest, &exponent));
+  return ldexp(Scalar(1), exponent - std::numeric_limits<Scalar>::digits);
+}
+
+/// The collision of two particles that were brought to now, Δp still zero.
+template <typename Scalar, int D>
+Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, Limit limit) {
+  return {i,
+          j,
+          limit,
+          collision_frame<Scalar, D>(world.position(i, world.now), world.position(j, world.now),
+                                     world.velocity(i), world.velocity(j)),
+          world.coupling->body_mass(world, i),
+          world.coupling->body_mass(world, j),
+          Vector<Scalar, D>::Zero()};
+}
+
+/// Counts how far a collision is from what real arithmetic would have made of it.
+template <typename Scalar, int D>
+void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, const Scalar& distance_limit) {
+  using std::abs;
+  using std::sqrt;
+  const Vector<Scalar, D> u_i = world.position(c.i, world.now);
+  const Vector<Scalar, D> u_j = world.position(c.j, world.now);
+  const Scalar distance = sqrt(Scalar((u_j - u_i).squaredNorm()));
+  const Scalar inside = (distance_limit - distance) / coordinate_ulp<Scalar, D>(u_i, u_j);
+  Statistics<Scalar>& s = world.statistics;
+  if (c.limit == Limit::inner) s.worst_inner_excess = std::max(s.worst_inner_excess, inside);
+  if (c.limit == Limit::outer) s.worst_outer_excess = std::max(s.worst_outer_excess, Scalar(-inside));
+  const Scalar faster = std::max(Scalar(sqrt(world.velocity(c.i).squaredNorm())),
+                                 Scalar(sqrt(world.velocity(c.j).squaredNorm())));
+  if (abs(c.frame.v_n) <= Scalar(4) * std::numeric_limits<Scalar>::epsilon() * faster &&
+      c.limit == Limit::inner) {
+    ++s.noise;
+  }
+}
+
+/// Passes the impulse of a collision on to the bodies and remembers that the pair has responded. With the
+/// wrong sign of v_n the event stands with Δp = 0 (semantics §1) and loads nothing.
+template <typename Scalar, int D>
+void answer(World<Scalar, D>& world, const Collision<Scalar, D>& collision, bool has_impulse,
+            const Scalar& loss, Record<Scalar, D>& record) {
+  record.dp = collision.dp;
+  if (has_impulse) {
+    world.ledger.lost += loss;
+    world.coupling->collide(world, collision, record);
+  } else {
+    ++world.statistics.zero_impulse;
+  }
+  if (!world.coupling->together(collision.i, collision.j)) {
+    world.responded.add(collision.i, collision.j, collision.limit);
+  }
+}
+
+}  // namespace tps

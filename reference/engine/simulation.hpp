@@ -1,0 +1,121 @@
+// The event loop: take the next event, let its effect respond, predict again what changed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "reference/engine/all_pairs.hpp"
+#include "reference/engine/effect.hpp"
+#include "reference/engine/effect_catalogue.hpp"
+#include "reference/engine/energy.hpp"
+#include "reference/engine/world.hpp"
+
+namespace tps {
+
+/// Why a run ended.
+enum class EndReason { duration, max_events, no_more_events, stalled, interrupted };
+
+constexpr std::string_view name(EndReason reason) {
+  switch (reason) {
+    case EndReason::duration:
+      return "duration";
+    case EndReason::max_events:
+      return "max_events";
+    case EndReason::no_more_events:
+      return "no_more_events";
+    case EndReason::stalled:
+      return "stalled";
+    case EndReason::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+/// A run of one scene in one scalar type. It has no randomness of its own and depends on nothing but the
+/// scene.
+template <typename Scalar, int D>
+class Simulation {
+ public:
+  explicit Simulation(const Scene& scene)
+      : world_(scene), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
+    world_.coupling = std::make_unique<FreeCoupling<Scalar, D>>();
+    for (std::size_t n = 0; n < effects_.size(); ++n) effects_[n]->begin(world_, static_cast<int>(n));
+    world_.ledger.kinetic_at_start = kinetic_energy(world_);
+    world_.ledger.momentum_at_start = momentum(world_);
+    predict_everything();
+  }
+
+  World<Scalar, D>& world() { return world_; }
+  const World<Scalar, D>& world() const { return world_; }
+  const std::vector<std::unique_ptr<Effect<Scalar, D>>>& effects() const { return effects_; }
+
+  /// The time of the next event; never() if there is none.
+  Time<Scalar> next_time() {
+    const PendingEvent<Scalar>* next = next_event();
+    return next != nullptr ? next->time : Time<Scalar>::never();
+  }
+
+  /// Processes the next event. REQUIRES that there is one.
+  ///
+  /// (1) advance the clock, (2) respond, (3) predict again the pairs of whatever was touched.
+  void step() {
+    const PendingEvent<Scalar> event = *next_event();
+    world_.queue.pop();
+    note_progress(event.time);
+    world_.now = event.time;
+    effects_[World<Scalar, D>::index(event.effect)]->respond(world_, event);
+    predict_touched();
+  }
+
+  /// The numerical definition of a stall (docs/engine.md): more than stall_limit() events in a row while the
+  /// clock, rounded to the scalar, stood still.
+  bool stalled() const { return world_.events - progress_event_ > stall_limit(); }
+
+  /// 10 000 + N(N − 1)/2: what N bodies can legitimately have at one instant (a row of touching equal masses
+  /// sorts its velocities in N(N − 1)/2 collisions), and an allowance for three-body chains near collapse.
+  std::uint64_t stall_limit() const {
+    const std::uint64_t n = world_.particles.size();
+    return 10000 + n * (n - 1) / 2;
+  }
+
+  /// Number of the event at which the clock last moved.
+  std::uint64_t progress_event() const { return progress_event_; }
+
+  /// Takes up a state that was put into world() from outside: predicts everything again. Because a prediction
+  /// is a function of stored states, the run goes on as if it had never stopped.
+  void resume(std::uint64_t progress_event) {
+    progress_event_ = progress_event;
+    world_.queue = {};
+    predict_everything();
+  }
+
+ private:
+  void predict_everything() {
+    for (const auto& effect : effects_) effect->queue_known(world_);
+    pairs_.predict_all(world_);
+  }
+
+  const PendingEvent<Scalar>* next_event() {
+    return world_.queue.next([this](const PendingEvent<Scalar>& event) { return world_.is_live(event); });
+  }
+
+  void note_progress(const Time<Scalar>& time) {
+    if (time.hi != world_.now.hi) progress_event_ = world_.events;
+  }
+
+  void predict_touched() {
+    const std::vector<int> touched = world_.take_touched();
+    for (const auto& effect : effects_) effect->refresh(world_, touched);
+    pairs_.predict_touched(world_, touched);
+  }
+
+  World<Scalar, D> world_;
+  std::vector<std::unique_ptr<Effect<Scalar, D>>> effects_;
+  AllPairs<Scalar, D> pairs_;
+  std::uint64_t progress_event_ = 0;
+};
+
+}  // namespace tps

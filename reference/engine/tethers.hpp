@@ -1,0 +1,80 @@
+// Which particles are tethered, and which pairs have just responded: flags of pairs, kept by particle.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace tps {
+
+/// The tethers that formed or were listed (permanent ones follow from the pair's law and are not kept).
+class Tethers {
+ public:
+  explicit Tethers(std::size_t particles) : partners_(particles) {}
+
+  bool contains(int i, int j) const {
+    const bool i_has_fewer = count(i) <= count(j);
+    const std::vector<int>& list = of(i_has_fewer ? i : j);
+    return std::binary_search(list.begin(), list.end(), i_has_fewer ? j : i);
+  }
+  void add(int i, int j) {
+    insert(i, j);
+    insert(j, i);
+  }
+  void remove(int i, int j) {
+    erase(i, j);
+    erase(j, i);
+  }
+  std::size_t count(int i) const { return of(i).size(); }
+  /// The partners of a particle, ascending.
+  const std::vector<int>& of(int i) const { return partners_[static_cast<std::size_t>(i)]; }
+
+ private:
+  void insert(int i, int j) {
+    std::vector<int>& list = partners_[static_cast<std::size_t>(i)];
+    list.insert(std::lower_bound(list.begin(), list.end(), j), j);
+  }
+  void erase(int i, int j) {
+    std::vector<int>& list = partners_[static_cast<std::size_t>(i)];
+    list.erase(std::lower_bound(list.begin(), list.end(), j));
+  }
+  std::vector<std::vector<int>> partners_;
+};
+
+/// The two limits of a pair.
+enum class Limit : int { inner, outer };
+
+/// Pairs that have responded at a limit and cannot be at it again before one of the two velocities changes
+/// (semantics §1, "After a response"). A particle of infinite mass never changes and keeps no list.
+class Responded {
+ public:
+  struct Entry {
+    int partner;
+    Limit limit;
+    friend bool operator==(const Entry&, const Entry&) = default;
+  };
+
+  explicit Responded(std::vector<bool> fixed) : fixed_(std::move(fixed)), entries_(fixed_.size()) {}
+
+  bool contains(int i, int j, Limit limit) const { return has(i, {j, limit}) && has(j, {i, limit}); }
+  void add(int i, int j, Limit limit) {
+    insert(i, {j, limit});
+    insert(j, {i, limit});
+  }
+  /// The velocity of i has changed.
+  void forget(int i) { entries_[static_cast<std::size_t>(i)].clear(); }
+  const std::vector<Entry>& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
+
+ private:
+  bool is_fixed(int i) const { return fixed_[static_cast<std::size_t>(i)]; }
+  bool has(int i, Entry entry) const {
+    return is_fixed(i) || std::find(of(i).begin(), of(i).end(), entry) != of(i).end();
+  }
+  void insert(int i, Entry entry) {
+    if (!is_fixed(i) && !has(i, entry)) entries_[static_cast<std::size_t>(i)].push_back(entry);
+  }
+
+  std::vector<bool> fixed_;
+  std::vector<std::vector<Entry>> entries_;
+};
+
+}  // namespace tps

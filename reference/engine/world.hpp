@@ -1,0 +1,238 @@
+// The state of a run, and the few operations by which effects change it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/engine/clock.hpp"
+#include "reference/engine/coupling.hpp"
+#include "reference/engine/laws.hpp"
+#include "reference/engine/ledger.hpp"
+#include "reference/engine/queue.hpp"
+#include "reference/engine/record.hpp"
+#include "reference/engine/statistics.hpp"
+#include "reference/engine/tethers.hpp"
+#include "reference/equations/vector.hpp"
+#include "reference/scene/random.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps {
+
+/// A particle where it was when its velocity last changed; from there it flies straight.
+template <typename Scalar, int D>
+struct ParticleState {
+  Vector<Scalar, D> position, velocity;
+  Time<Scalar> clock;
+};
+
+/// Receives every record of a run, in order.
+template <typename Scalar, int D>
+using RecordSink = std::function<void(const Record<Scalar, D>&)>;
+
+template <typename Scalar, int D>
+class World {
+ public:
+  using Vec = Vector<Scalar, D>;
+
+  explicit World(const Scene& scene_in);
+
+  const Scene& scene;
+  Laws<Scalar> laws;
+  Time<Scalar> now;
+  Time<Scalar> last_event;
+  std::uint64_t events = 0;
+  std::vector<ParticleState<Scalar, D>> particles;
+  std::vector<std::uint32_t> revisions;  ///< of the particles: raised whenever predictions become void
+  Tethers tethers;
+  Responded responded;
+  std::map<std::array<int, 3>, std::uint32_t> draws;  ///< (purpose, i, j) → random numbers used
+  std::unique_ptr<Coupling<Scalar, D>> coupling;
+  EventQueue<Scalar> queue;
+  Ledger<Scalar, D> ledger;
+  Statistics<Scalar> statistics;
+  RecordSink<Scalar, D> sink;
+
+  int size() const { return static_cast<int>(particles.size()); }
+  int species(int i) const { return scene.particles[index(i)].species; }
+  const Scalar& mass(int i) const { return masses_[index(i)]; }
+  bool fixed(int i) const { return fixed_[index(i)]; }
+  const Vec& velocity(int i) const { return particles[index(i)].velocity; }
+  /// The common velocity of infinite masses; zero where there is none.
+  const Vec& frame_velocity() const { return frame_velocity_; }
+  const Law<Scalar>& law(int i, int j) const { return laws.of(species(i), species(j)); }
+  bool tethered(int i, int j) const {
+    const auto& tethering = law(i, j).tethering;
+    return tethering && (tethering->permanent || tethers.contains(i, j));
+  }
+
+  /// u + v (t − clock): free flight. Two roundings a coordinate.
+  Vec position(int i, const Time<Scalar>& t) const {
+    const ParticleState<Scalar, D>& p = particles[index(i)];
+    return p.clock == t ? p.position : Vec(p.position + p.velocity * elapsed(p.clock, t));
+  }
+
+  /// Advances a particle's stored state to now. Infinite masses keep theirs: nothing ever changes it.
+  void bring(int i);
+  /// Gives a particle a velocity; pairs that had responded may do so again if it differs. REQUIRES bring(i).
+  void set_velocity(int i, const Vec& velocity);
+  /// Marks a particle's predictions as void; they are made again after the event.
+  void touch(int i);
+  /// The particles touched since the last call, ascending.
+  std::vector<int> take_touched();
+
+  /// A record of an event of i and j now, with both brought to now.
+  Record<Scalar, D> open_record(std::string_view kind, int i, int j);
+  /// Adds a particle to a record, as it is before the event, and brings it to now.
+  void involve(Record<Scalar, D>& record, int i);
+  /// Completes a record with what came of it, and hands it to the sink.
+  void close_record(Record<Scalar, D>& record);
+
+  /// The next random number in [0, 1) for a purpose and a pair.
+  double draw(Purpose purpose, int i, int j);
+
+  /// An event of one or two particles, with their present revisions.
+  PendingEvent<Scalar> pending(const Time<Scalar>& time, Rank rank, int first, int second, int detail,
+                               int effect) const;
+  bool is_live(const PendingEvent<Scalar>& event) const;
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+ private:
+  std::vector<Scalar> masses_;
+  std::vector<bool> fixed_;
+  Vec frame_velocity_ = Vec::Zero();
+  std::vector<int> touched_;
+  std::vector<bool> is_touched_;
+};
+
+template <typename Scalar, int D>
+Vector<Scalar, D> lifted(const Coordinates& coordinates) {
+  Vector<Scalar, D> vector;
+  for (int k = 0; k < D; ++k) vector[k] = Scalar(coordinates[static_cast<std::size_t>(k)]);
+  return vector;
+}
+
+inline std::vector<bool> infinite_masses(const Scene& scene) {
+  std::vector<bool> fixed;
+  for (const Particle& p : scene.particles) {
+    const double mass = scene.species[static_cast<std::size_t>(p.species)].mass;
+    fixed.push_back(mass == std::numeric_limits<double>::infinity());
+  }
+  return fixed;
+}
+
+template <typename Scalar, int D>
+World<Scalar, D>::World(const Scene& scene_in)
+    : scene(scene_in),
+      laws(scene_in),
+      revisions(scene_in.particles.size(), 0),
+      tethers(scene_in.particles.size()),
+      responded(infinite_masses(scene_in)),
+      fixed_(infinite_masses(scene_in)),
+      is_touched_(scene_in.particles.size(), false) {
+  for (const Particle& p : scene.particles) {
+    particles.push_back({lifted<Scalar, D>(p.position), lifted<Scalar, D>(p.velocity), {}});
+    masses_.push_back(Scalar(scene.species[index(p.species)].mass));
+    if (fixed_[particles.size() - 1]) frame_velocity_ = particles.back().velocity;
+  }
+  for (const Tether& tether : scene.tethers) tethers.add(tether.i, tether.j);
+}
+
+template <typename Scalar, int D>
+void World<Scalar, D>::bring(int i) {
+  if (fixed(i)) return;
+  ParticleState<Scalar, D>& p = particles[index(i)];
+  p.position = position(i, now);
+  p.clock = now;
+}
+
+template <typename Scalar, int D>
+void World<Scalar, D>::set_velocity(int i, const Vec& velocity) {
+  if (fixed(i)) return;
+  Vec& stored = particles[index(i)].velocity;
+  if (stored != velocity) {
+    using std::sqrt;
+    ledger.add_rounding(mass(i), Scalar(sqrt(stored.squaredNorm()) + sqrt(velocity.squaredNorm())));
+    responded.forget(i);
+  }
+  stored = velocity;
+}
+
+template <typename Scalar, int D>
+void World<Scalar, D>::touch(int i) {
+  if (fixed(i) || is_touched_[index(i)]) return;
+  is_touched_[index(i)] = true;
+  touched_.push_back(i);
+  ++revisions[index(i)];
+}
+
+template <typename Scalar, int D>
+std::vector<int> World<Scalar, D>::take_touched() {
+  for (const int i : touched_) is_touched_[index(i)] = false;
+  std::sort(touched_.begin(), touched_.end());
+  return std::exchange(touched_, {});
+}
+
+template <typename Scalar, int D>
+Record<Scalar, D> World<Scalar, D>::open_record(std::string_view kind, int i, int j) {
+  Record<Scalar, D> record;
+  record.kind = kind;
+  record.i = i;
+  record.j = j;
+  involve(record, i);
+  if (j != i) involve(record, j);
+  return record;
+}
+
+template <typename Scalar, int D>
+void World<Scalar, D>::involve(Record<Scalar, D>& record, int i) {
+  bring(i);
+  touch(i);
+  record.involved.push_back({i, position(i, now), velocity(i), velocity(i)});
+}
+
+template <typename Scalar, int D>
+void World<Scalar, D>::close_record(Record<Scalar, D>& record) {
+  for (ParticleChange<Scalar, D>& change : record.involved) change.velocity_after = velocity(change.particle);
+  record.k = ++events;
+  record.t = now;
+  record.dt = elapsed(last_event, now);
+  last_event = now;
+  ++statistics.by_kind[std::string(record.kind)];
+  if (sink) sink(record);
+}
+
+template <typename Scalar, int D>
+double World<Scalar, D>::draw(Purpose purpose, int i, int j) {
+  const int first = scene.particles[index(std::min(i, j))].id;
+  const int second = scene.particles[index(std::max(i, j))].id;
+  std::uint32_t& used = draws[{static_cast<int>(purpose), first, second}];
+  return uniform(scene.seed, purpose, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second),
+                 used++);
+}
+
+template <typename Scalar, int D>
+PendingEvent<Scalar> World<Scalar, D>::pending(const Time<Scalar>& time, Rank rank, int first, int second,
+                                               int detail, int effect) const {
+  const auto revision = [this](int i) { return i < 0 ? 0U : revisions[index(i)]; };
+  return {time, rank, first, second, detail, effect, revision(first), revision(second)};
+}
+
+template <typename Scalar, int D>
+bool World<Scalar, D>::is_live(const PendingEvent<Scalar>& event) const {
+  const auto unchanged = [this](int i, std::uint32_t revision) {
+    return i < 0 || revisions[index(i)] == revision;
+  };
+  return unchanged(event.first, event.first_revision) && unchanged(event.second, event.second_revision);
+}
+
+}  // namespace tps

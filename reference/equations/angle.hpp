@@ -1,0 +1,48 @@
+// The angle θ_revolve, given in degrees as scene files do.
+#pragma once
+
+#include <cmath>
+
+namespace tps {
+
+/// π to 120 digits, rounded once to the scalar (OEIS A000796).
+template <typename Scalar>
+Scalar pi() {
+  static const Scalar value(
+      "3."
+      "141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117067982"
+      "14808"
+      "65132823066");
+  return value;
+}
+
+template <>
+inline float pi<float>() {
+  return 3.14159265358979323846264338327950288F;
+}
+template <>
+inline double pi<double>() {
+  return 3.14159265358979323846264338327950288;
+}
+template <>
+inline long double pi<long double>() {
+  return 3.14159265358979323846264338327950288L;
+}
+
+/// tan θ for an angle in degrees, 0 < θ < 90.
+///
+/// tan 45° is exactly 1. Above 45° it is 1 / tan(90° − θ), where 90 − θ is exact: the tangent of a rounded
+/// π/2 − ε would lose ε.
+/// Law: tan_degrees(θ) · tan_degrees(90 − θ) == 1 to two roundings.
+template <typename Scalar>
+Scalar tan_degrees(const Scalar& theta_deg) {
+  using std::tan;
+  const Scalar right(90);
+  const Scalar half(45);
+  if (theta_deg == half) return Scalar(1);
+  const Scalar to_radians = pi<Scalar>() / Scalar(180);
+  if (theta_deg > half) return Scalar(1) / Scalar(tan((right - theta_deg) * to_radians));
+  return tan(theta_deg * to_radians);
+}
+
+}  // namespace tps

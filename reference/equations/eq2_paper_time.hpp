@@ -1,0 +1,62 @@
+// Eq. (2), literally: the roots and the selection rule as the paper prints them. Kept for comparison; the
+// rule that this project computes with is in eq2_collision_time.hpp, which also says what it mends.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "reference/equations/vector.hpp"
+
+namespace tps {
+
+/// Everything that eq. (2) names: coefficients, discriminant and the two quotients.
+template <typename Scalar>
+struct PaperRoots {
+  Scalar a;                           ///< Σ(v_B − v_A)²
+  Scalar b;                           ///< 2 Σ(u_B − u_A)(v_B − v_A)
+  Scalar c;                           ///< Σ(u_B − u_A)² − Δu²
+  Scalar discriminant;                ///< b² − 4ac
+  std::optional<Scalar> minus, plus;  ///< (−b ∓ √(b² − 4ac)) / 2a, where they are finite and real
+};
+
+/// Roots of eq. (1) set to Δu = L, by eq. (2) as printed: Δt = (−b ± √(b² − 4ac)) / 2a.
+///
+/// @param L the limiting distance Δu. @return coefficients and the real, finite roots; both absent for
+/// a = 0 (no relative motion) and for a negative discriminant.
+/// Accuracy: none is promised. b² − 4ac and −b + √… cancel; that is what eq2_collision_time.hpp avoids.
+template <typename Scalar, int D>
+PaperRoots<Scalar> paper_roots(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                               const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
+                               const std::type_identity_t<Scalar>& L) {
+  using std::sqrt;
+  const Vector<Scalar, D> r = u_B - u_A;
+  const Vector<Scalar, D> v = v_B - v_A;
+  const Scalar a = v.squaredNorm();
+  const Scalar b = Scalar(2) * r.dot(v);
+  const Scalar c = r.squaredNorm() - L * L;
+  const Scalar discriminant = b * b - Scalar(4) * a * c;
+  PaperRoots<Scalar> roots{a, b, c, discriminant, std::nullopt, std::nullopt};
+  if (a > Scalar(0) && discriminant >= Scalar(0)) {
+    roots.minus = (-b - sqrt(discriminant)) / (Scalar(2) * a);
+    roots.plus = (-b + sqrt(discriminant)) / (Scalar(2) * a);
+  }
+  return roots;
+}
+
+/// The paper's rule for eq. (2): the smaller finite, real, non-negative root, for either kind of limit.
+///
+/// Departs from eq2_collision_time.hpp where the rule alone misleads: r = (1,0), v = (1,0), L = 1 has the
+/// roots −2 and 0, so the rule answers 0 for a pair that has just rebounded; r = (2,0), v = (−1,0), L = 2
+/// has 0 and 4, and the rule answers 0 for a tether that has just been pulled.
+template <typename Scalar, int D>
+std::optional<Scalar> paper_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                                 const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
+                                 const std::type_identity_t<Scalar>& L) {
+  const PaperRoots<Scalar> roots = paper_roots<Scalar, D>(u_A, u_B, v_A, v_B, L);
+  if (roots.minus && *roots.minus >= Scalar(0)) return roots.minus;
+  if (roots.plus && *roots.plus >= Scalar(0)) return roots.plus;
+  return std::nullopt;
+}
+
+}  // namespace tps

@@ -1,0 +1,30 @@
+// The scalar types that the engine is compiled for, and their names in commands and files.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+#include <string_view>
+
+namespace tps {
+
+using Quad = boost::multiprecision::cpp_bin_float_quad;  ///< 113 bits
+using Mp50 = boost::multiprecision::cpp_bin_float_50;    ///< at least 50 decimal digits
+using Mp100 = boost::multiprecision::cpp_bin_float_100;  ///< at least 100 decimal digits
+
+/// The name of a scalar type in `--scalar` and in trace headers.
+template <typename Scalar>
+inline constexpr std::string_view scalar_name = "";
+template <>
+inline constexpr std::string_view scalar_name<float> = "float";
+template <>
+inline constexpr std::string_view scalar_name<double> = "double";
+template <>
+inline constexpr std::string_view scalar_name<long double> = "long-double";
+template <>
+inline constexpr std::string_view scalar_name<Quad> = "quad";
+template <>
+inline constexpr std::string_view scalar_name<Mp50> = "mp50";
+template <>
+inline constexpr std::string_view scalar_name<Mp100> = "mp100";
+
+}  // namespace tps
