@@ -45,20 +45,20 @@ ClusterSchedule::ClusterSchedule(const Scene& scene, double duration) {
   constexpr int kSamples = 20;
   const bool finite = duration < std::numeric_limits<double>::infinity();
   for (int n = 0; n <= (finite ? kSamples : 0); ++n) {
-    moments_.push_back({n == 0 ? 0 : duration * n / kSamples, n == 0, "sample"});
+    moments_.push_back({n == 0 ? 0 : duration * n / kSamples, n == 0, "sample", std::nullopt});
   }
   for (const ScheduledImpulse& impulse : scene.impulses) {
     if (impulse.at > duration) continue;
-    moments_.push_back({impulse.at, true, "before impulse"});
-    moments_.push_back({impulse.at, false, "after impulse"});
+    const std::string on =
+        " on " + std::to_string(scene.particles[static_cast<std::size_t>(impulse.particle)].id);
+    moments_.push_back({impulse.at, true, "before impulse" + on, impulse.particle});
+    moments_.push_back({impulse.at, false, "after impulse" + on, impulse.particle});
+    const double later = impulse.at + duration / kSamples;
+    if (later <= duration) moments_.push_back({later, false, "later" + on, impulse.particle});
   }
-  std::stable_sort(moments_.begin(), moments_.end(), [](const Moment& a, const Moment& b) {
+  std::stable_sort(moments_.begin(), moments_.end(), [](const ClusterMoment& a, const ClusterMoment& b) {
     return a.at != b.at ? a.at < b.at : a.before_events && !b.before_events;
   });
-  const auto same = [](const Moment& a, const Moment& b) {
-    return a.at == b.at && a.before_events == b.before_events && a.occasion == b.occasion;
-  };
-  moments_.erase(std::unique(moments_.begin(), moments_.end(), same), moments_.end());
 }
 
 }  // namespace tps
