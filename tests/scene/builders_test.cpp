@@ -207,7 +207,7 @@ TEST(Builders, TerminalStartsIsolated) {
 }
 
 TEST(Builders, GasHasItsDensity) {
-  for (const int particles : {1, 10, 256, 1000}) {
+  for (const int particles : {10, 256, 1000}) {
     for (const double density : {0.01, 0.1, 0.3}) {
       const Scene scene = build_gas({.particles = particles, .density = density});
       EXPECT_EQ(static_cast<int>(scene.particles.size()), particles + 1);
