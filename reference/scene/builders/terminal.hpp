@@ -26,7 +26,7 @@ struct TerminalParams {
   double break_probability = 0;
   double impact = 24;
   double impact_at = 50;
-  int impacts = 2;
+  int impacts = 3;
   double grouped = 1e-4;
   double duration = 80;
   std::uint64_t seed = 1;
