@@ -12,8 +12,8 @@
 namespace tps {
 
 struct DrawOptions {
-  double size = 720;           ///< width of the picture, in pixels, 64 to 16384; title above, legend below
-  std::optional<double> time;  ///< shown in the legend, if given
+  double size = 720;             ///< width of the picture, in pixels, 64 to 16384; title above, legend below
+  std::optional<double> time{};  ///< shown in the legend, if given
 };
 
 /// A self-contained SVG 1.1 document: no script, no style sheet, no font but generic ones, its own
