@@ -55,7 +55,8 @@ void InputProblems::add(const InputProblem& problem) {
 
 bool InputProblems::touches(const std::string& pointer) const {
   return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
-    return problem.pointer == pointer || problem.pointer.starts_with(pointer + "/");
+    return problem.pointer.starts_with(pointer) &&
+           (problem.pointer.size() == pointer.size() || problem.pointer[pointer.size()] == '/');
   });
 }
 

@@ -87,8 +87,12 @@ class Validation {
   }
 
   void mismatch(const JsonValue& value, const SchemaView& schema, const JsonPath& path) {
-    add(value.line, path,
-        fmt::format("found {}; allowed: {}", describe_found(value), describe_allowed(schema)));
+    std::string message =
+        fmt::format("found {}; allowed: {}", describe_found(value), describe_allowed(schema));
+    if (value.string() != nullptr && holds_number(schema.text("format"))) {
+      message += "; a number in a string is a hexadecimal float like \"0x1.8p+1\"";
+    }
+    add(value.line, path, std::move(message));
   }
 
   static bool is_listed(const JsonValue& value, const SchemaView& schema) {
