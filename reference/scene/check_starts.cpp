@@ -24,6 +24,7 @@ double largest_coordinate(const Coordinates& a, const Coordinates& b) {
 }
 
 double ulp(double value) {
+  if (value == 0) return std::numeric_limits<double>::denorm_min();
   int exponent = 0;
   std::frexp(value, &exponent);  // value = f 2^exponent, f in [1/2, 1)
   return std::ldexp(1.0, std::max(exponent - 53, -1074));

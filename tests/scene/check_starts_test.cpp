@@ -40,13 +40,17 @@ TEST(StartVerdict, CountsUlpsOfTheCoordinateNotOfTheDistance) {
 }
 
 TEST(StartVerdict, IsExactAtTheEdgeOffTheAxes) {
-  // 3-4-5 triangles scaled by 1 + 2^-k: the distance is exactly 5 (1 + 2^-k), the allowance 4 ulp(4) = 2^-48.
-  const auto pair = [](double f) { return start_verdict({0, 0, 0}, {3 * f, 4 * f, 0}, 5); };
-  EXPECT_EQ(pair(1 + 0x1p-50), StartVerdict::contact)
-      << "5 2^-50 > 2^-48, yet 4 (1 + 2^-50) has ulp 2^-50: it is 4";
-  EXPECT_EQ(start_verdict({0, 0, 0}, {3 + 0x1p-51 * 8, 4 + 0x1p-50 * 4, 0}, 5), StartVerdict::farther)
-      << "5 + (3/5) 2^-48 + (4/5) 2^-48 = 5 + 1.4 2^-48";
-  EXPECT_EQ(start_verdict({0, 0, 0}, {3, 4 + 0x1p-50 * 4, 0}, 5), StartVerdict::contact) << "5 + 0.8 2^-48";
+  // A 3-4-5 triangle scaled by f, all of it representable: the distance is exactly 5 f, the allowance
+  // 4 ulp(4) = 2^-48.
+  const auto scaled = [](double f) { return start_verdict({0, 0, 0}, {3 * f, 4 * f, 0}, 5); };
+  EXPECT_EQ(scaled(1 + 0x1p-51), StartVerdict::contact) << "0.625 of the allowance";
+  EXPECT_EQ(scaled(1 + 0x1p-50), StartVerdict::farther) << "1.25 of the allowance";
+  EXPECT_EQ(scaled(1 - 0x1p-51), StartVerdict::nearer) << "1.25 of the allowance, half as large just below 4";
+  // A limit that is off by the allowance exactly is a contact still.
+  EXPECT_EQ(start_verdict({0, 0, 0}, {3, 4, 0}, 5 - 0x1p-48), StartVerdict::contact);
+  EXPECT_EQ(start_verdict({0, 0, 0}, {3, 4, 0}, 5 + 0x1p-48), StartVerdict::contact);
+  EXPECT_EQ(start_verdict({0, 0, 0}, {3, 4, 0}, 5 - 0x1p-48 - 0x1p-50), StartVerdict::farther);
+  EXPECT_EQ(start_verdict({0, 0, 0}, {3, 4, 0}, 5 + 0x1p-48 + 0x1p-50), StartVerdict::nearer);
 }
 
 TEST(StartVerdict, DoesNotDependOnTheOrderOrOnTheScale) {
