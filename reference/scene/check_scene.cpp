@@ -220,6 +220,7 @@ void check_tethers(const Scene& scene, SceneSource& source) {
 }  // namespace
 
 void check_scene(const Scene& scene, SceneSource& source) {
+  if (source.full()) return;
   if (source.sound({"species", "pairs"})) {
     for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
       check_pair(scene, scene.pairs[k], fmt::format("/pairs/{}", k), source);

@@ -58,6 +58,7 @@ class Sections {
   explicit Sections(SceneSource& source) : source_(source), root_(source.root()) {}
 
   Scene read() {
+    if (source_.full()) return scene_;
     read_top_level();
     const bool named = root_.find("species") != nullptr && source_.sound({"species"});
     if (named) read_species();

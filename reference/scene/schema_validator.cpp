@@ -144,7 +144,7 @@ class Validation {
     }
     const JsonValue* items = schema.find("items");
     if (items == nullptr) return;
-    for (std::size_t k = 0; k < array.size(); ++k) {
+    for (std::size_t k = 0; k < array.size() && !problems_.full(); ++k) {
       const JsonPath entry = path.item(k);
       this->value(array[k], schema.at(*items), entry);
     }
@@ -159,6 +159,7 @@ class Validation {
     const JsonValue* properties = schema.find("properties");
     const JsonValue* others = schema.find("additionalProperties");
     for (const JsonMember& member : object) {
+      if (problems_.full()) return;
       const JsonPath place = path.key(member.key);
       const JsonValue* property = properties == nullptr ? nullptr : properties->find(member.key);
       if (property != nullptr) {

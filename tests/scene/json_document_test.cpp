@@ -154,7 +154,7 @@ TEST(HostileText, AMillionErrorsAreCappedInTheMessage) {
   const std::string message =
       refusal(concat({"{\"particles\":[", entries.substr(0, entries.size() - 1), "]}"}));
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 100);
-  EXPECT_NE(message.find("\n… and "), std::string::npos);
+  EXPECT_NE(message.find("\n… and at least 900 more"), std::string::npos);
 }
 
 TEST(HostileText, AMillionKeysAreRefusedQuickly) {

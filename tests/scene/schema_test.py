@@ -27,7 +27,6 @@ SEMANTIC = {
 }
 # Numbers in strings: a standard validator sees their pattern, not their value.
 NUMBERS_IN_STRINGS = {"hex_float_out_of_range", "seed_too_large"}
-# Python takes 2^53 + 1 for what it is; the schema's maximum refuses it, but for another reason than ours.
 # No JSON, or JSON that says a thing twice: json.loads takes some of it, the schema never sees the fault.
 NOT_JSON = {
     "blank", "byte_order_mark", "comment", "deep", "duplicate_keys", "empty", "invalid_utf8", "minus_infinity", "nan",
