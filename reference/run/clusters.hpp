@@ -1,4 +1,4 @@
-// Clusters: connected components of tethers, and how a cluster moves.
+// How the clusters of a run move, and when a run looks at them.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,9 @@
 
 #include "reference/engine/world.hpp"
 #include "reference/run/run.hpp"
+#include "reference/scene/clusters.hpp"
 
 namespace tps {
-
-/// The components of a graph of tethers (permanent ones do not count) that hold enough of the observed
-/// species, the largest first; each ascending. Of equally large ones the one with the smallest particle is
-/// first.
-std::vector<std::vector<int>> clusters_of(const Scene& scene, const std::vector<Tether>& tethers,
-                                          const ClusterObservation& observed);
-
-/// How many particles of a species there are among some.
-int count_species(const Scene& scene, const std::vector<int>& particles, int species);
 
 /// Extent and motion of one cluster at a time up to which every particle flies straight: with positions x,
 /// velocities v, and their mass-weighted means X, V

@@ -8,25 +8,18 @@
 #include <stdexcept>
 
 #include "reference/scene/builders/registry.hpp"
-#include "verify/draw/connected.hpp"
+#include "reference/scene/clusters.hpp"
 #include "verify/draw/view.hpp"
 
 namespace tps {
 namespace {
 
 using Positions = std::vector<std::array<double, 3>>;
-using Pairs = std::vector<std::pair<int, int>>;
 
 Positions starts(const Scene& scene) {
   Positions positions;
   for (const Particle& particle : scene.particles) positions.push_back(particle.position);
   return positions;
-}
-
-Pairs start_tethers(const Scene& scene) {
-  Pairs pairs;
-  for (const Tether& tether : scene.tethers) pairs.push_back({tether.i, tether.j});
-  return pairs;
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -83,7 +76,7 @@ TEST(DrawSvg, ObjectionsAreFound) {
 TEST(DrawSvg, EveryCatalogueSceneIsWellFormedAndComplete) {
   for (const SceneBuilder& builder : scene_builders()) {
     const Scene scene = builder.build({});
-    const std::string svg = draw_svg(scene, starts(scene), start_tethers(scene), {.time = 0.5});
+    const std::string svg = draw_svg(scene, starts(scene), scene.tethers, {.time = 0.5});
     EXPECT_EQ(xml_objection(svg), "") << builder.name;
     const std::size_t containers = builder.name == "terminal" || builder.name == "gas" ? 1 : 0;
     EXPECT_EQ(count(svg, "class=\"container\""), containers) << builder.name;
@@ -148,11 +141,10 @@ TEST(DrawSvg, ClustersAreThoseOfTheObservation) {
   scene.particles[1].species = 1;
   scene.particles[5].species = 1;
   // 0-1-2-3 holds three of "a"; 4-5-6 two.
-  const Pairs tethers{{2, 3}, {0, 1}, {1, 2}, {4, 5}, {5, 6}};
-  EXPECT_EQ(cluster_of_particles(scene, tethers, {.species = 0, .at_least = 3}),
-            (std::vector<int>{0, 0, 0, 0, -1, -1, -1}));
-  EXPECT_EQ(cluster_of_particles(scene, tethers, {.species = 0, .at_least = 2}),
-            (std::vector<int>{0, 0, 0, 0, 1, 1, 1}));
+  const std::vector<Tether> tethers{{2, 3}, {0, 1}, {1, 2}, {4, 5}, {5, 6}};
+  using Clusters = std::vector<std::vector<int>>;
+  EXPECT_EQ(clusters_of(scene, tethers, {.species = 0, .at_least = 3}), (Clusters{{0, 1, 2, 3}}));
+  EXPECT_EQ(clusters_of(scene, tethers, {.species = 0, .at_least = 2}), (Clusters{{0, 1, 2, 3}, {4, 5, 6}}));
   scene.clusters = ClusterObservation{.species = 0, .at_least = 2};
   EXPECT_NE(draw_svg(scene, starts(scene), tethers).find("2 clusters of at least 2 × a"), std::string::npos);
 }

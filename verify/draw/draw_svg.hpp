@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
@@ -30,6 +29,6 @@ struct DrawOptions {
 /// class="tether"> a tether. (3) Coordinates of any finite size are scaled to the picture before anything is
 /// squared or subtracted.
 std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>>& positions,
-                     const std::vector<std::pair<int, int>>& tethers, const DrawOptions& options = {});
+                     const std::vector<Tether>& tethers, const DrawOptions& options = {});
 
 }  // namespace tps
