@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reference/engine/clock.hpp"
@@ -60,6 +61,7 @@ template <typename Scalar, int D>
 class Effect {
  public:
   virtual ~Effect() = default;
+  virtual std::string_view name() const = 0;
 
   /// Once, before anything is predicted: sets up what it needs. `self` is the index under which it is called
   /// back.

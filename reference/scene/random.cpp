@@ -24,14 +24,17 @@ bool happens_with_exp_minus(double p, int times, RandomStream& stream) {
 
 }  // namespace
 
-std::uint64_t draw_bits(std::uint64_t seed, Purpose purpose, std::uint32_t a, std::uint32_t b, std::uint32_t n) {
+std::uint64_t draw_bits(std::uint64_t seed, Purpose purpose, std::uint32_t a, std::uint32_t b,
+                        std::uint32_t n) {
   const philox4x32_key_t key{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
   const philox4x32_ctr_t counter{{static_cast<std::uint32_t>(purpose), a, b, n}};
   const philox4x32_ctr_t words = philox4x32_R(10, counter, key);
   return (std::uint64_t{words[1]} << 32) | words[0];
 }
 
-double uniform_of_bits(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+double uniform_of_bits(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
 
 double uniform(std::uint64_t seed, Purpose purpose, std::uint32_t a, std::uint32_t b, std::uint32_t n) {
   return uniform_of_bits(draw_bits(seed, purpose, a, b, n));

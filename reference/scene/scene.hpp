@@ -19,12 +19,14 @@ struct Species {
   double mass = 1;
   double radius = 0;
   std::optional<int> max_tethers;  ///< tethers that count towards the capacity; none: unlimited
+  bool operator==(const Species&) const = default;
 };
 
 /// Inner limit of a pair (semantics §2): a blocking collision at `distance`, answered by eq. (4).
 struct BlockingLaw {
   double distance = 0;
   double c_rebound = 1;
+  bool operator==(const BlockingLaw&) const = default;
 };
 
 /// When a tether forms at a blocking collision (semantics §3).
@@ -32,6 +34,7 @@ struct FormRule {
   enum class When { never, always, probability, permanent };
   When when = When::always;
   double probability = 1;  ///< used with When::probability
+  bool operator==(const FormRule&) const = default;
 };
 
 /// When a tether breaks at a tethering collision (semantics §3).
@@ -40,6 +43,7 @@ struct BreakRule {
   When when = When::never;
   double probability = 0;  ///< used with When::probability
   double threshold = 0;    ///< |Δp| above which it breaks; used with When::impulse_above
+  bool operator==(const BreakRule&) const = default;
 };
 
 /// Outer limit of a tethered pair: retraction by eq. (4) or revolution by eq. (5) at `distance`.
@@ -50,6 +54,7 @@ struct TetheringLaw {
   double theta_revolve_deg = 45;
   FormRule form;
   BreakRule breaks;
+  bool operator==(const TetheringLaw&) const = default;
 };
 
 /// How two species interact; species are indices into Scene::species, species_a <= species_b.
@@ -58,6 +63,7 @@ struct PairLaw {
   int species_b = 0;
   std::optional<BlockingLaw> blocking;
   std::optional<TetheringLaw> tethering;
+  bool operator==(const PairLaw&) const = default;
 };
 
 /// Replaces rules of a pair of species while from <= t < until.
@@ -68,6 +74,7 @@ struct Phase {
   int species_b = 0;
   std::optional<FormRule> form;
   std::optional<BreakRule> breaks;
+  bool operator==(const Phase&) const = default;
 };
 
 /// An impulse from outside on one particle (an index into Scene::particles) at a given time.
@@ -75,11 +82,13 @@ struct ScheduledImpulse {
   double at = 0;
   int particle = 0;
   Coordinates impulse{};
+  bool operator==(const ScheduledImpulse&) const = default;
 };
 
 /// Grouping of nearly simultaneous collisions (eqs. 6-7).
 struct Grouping {
   double dt_restitute = 0;
+  bool operator==(const Grouping&) const = default;
 };
 
 /// `id` is what files and traces call the particle; Scene::particles is sorted by it.
@@ -88,12 +97,14 @@ struct Particle {
   int species = 0;
   Coordinates position{};
   Coordinates velocity{};
+  bool operator==(const Particle&) const = default;
 };
 
 /// A pair of indices into Scene::particles, first < second.
 struct Tether {
   int i = 0;
   int j = 0;
+  bool operator==(const Tether&) const = default;
 };
 
 /// What the summary counts as a cluster: connected components of (non-permanent) tethers that hold at
@@ -101,6 +112,7 @@ struct Tether {
 struct ClusterObservation {
   int species = 0;
   int at_least = 3;
+  bool operator==(const ClusterObservation&) const = default;
 };
 
 struct Scene {
@@ -115,8 +127,10 @@ struct Scene {
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;
-  std::vector<Tether> tethers;  ///< formed at the start; permanent ones are implied by their law, never listed
+  std::vector<Tether>
+      tethers;  ///< formed at the start; permanent ones are implied by their law, never listed
   std::optional<ClusterObservation> clusters;
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace tps

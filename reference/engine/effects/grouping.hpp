@@ -12,6 +12,7 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class Grouping final : public Effect<Scalar, D> {
  public:
+  std::string_view name() const override { return "grouping"; }
   void begin(World<Scalar, D>& world, int self) override {
     self_ = self;
     auto coupling = std::make_unique<GroupCoupling<Scalar, D>>(world.particles.size(),

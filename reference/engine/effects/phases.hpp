@@ -13,6 +13,8 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class Phases final : public Effect<Scalar, D> {
  public:
+  std::string_view name() const override { return "phases"; }
+
   explicit Phases(const Scene& scene) : active_(scene.phases.size(), false) {
     for (std::size_t n = 0; n < scene.phases.size(); ++n) {
       changes_.push_back({scene.phases[n].from, true, n});

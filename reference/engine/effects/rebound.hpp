@@ -14,6 +14,7 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class Rebound final : public Effect<Scalar, D> {
  public:
+  std::string_view name() const override { return "rebound"; }
   bool predicts_pairs() const override { return true; }
 
   std::optional<Scalar> predict(const World<Scalar, D>& world,

@@ -13,6 +13,8 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class ScheduledImpulses final : public Effect<Scalar, D> {
  public:
+  std::string_view name() const override { return "scheduled_impulses"; }
+
   explicit ScheduledImpulses(const Scene& scene) : impulses_(scene.impulses) {
     std::stable_sort(impulses_.begin(), impulses_.end(),
                      [](const ScheduledImpulse& a, const ScheduledImpulse& b) {

@@ -15,6 +15,7 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class Tethering final : public Effect<Scalar, D> {
  public:
+  std::string_view name() const override { return "tethering"; }
   bool predicts_pairs() const override { return true; }
 
   std::optional<Scalar> predict(const World<Scalar, D>& world,

@@ -1,0 +1,74 @@
+#include "reference/run/run.hpp"
+
+#include <algorithm>
+
+#include "reference/run/run_scalar.hpp"
+#include "reference/run/trace_file.hpp"
+#include "reference/scene/input_error.hpp"
+
+namespace tps {
+
+const std::vector<std::string>& scalar_names() {
+  static const std::vector<std::string> names = {"float", "double", "long-double", "quad", "mp50", "mp100"};
+  return names;
+}
+
+std::optional<ScalarKind> scalar_kind(std::string_view name) {
+  const auto found = std::find(scalar_names().begin(), scalar_names().end(), name);
+  if (found == scalar_names().end()) return std::nullopt;
+  return static_cast<ScalarKind>(found - scalar_names().begin());
+}
+
+std::uint64_t default_state_every(const Scene& scene) {
+  return std::max<std::uint64_t>(1000, 10 * scene.particles.size());
+}
+
+namespace {
+
+RunSummary run_any(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
+  switch (options.scalar) {
+    case ScalarKind::float_:
+      return run_float(scene, options, resume);
+    case ScalarKind::double_:
+      return run_double(scene, options, resume);
+    case ScalarKind::long_double:
+      return run_long_double(scene, options, resume);
+    case ScalarKind::quad:
+      return run_quad(scene, options, resume);
+    case ScalarKind::mp50:
+      return run_mp50(scene, options, resume);
+    case ScalarKind::mp100:
+      return run_mp100(scene, options, resume);
+  }
+  throw std::logic_error("unknown scalar kind");
+}
+
+}  // namespace
+
+RunSummary run_scene(const Scene& scene, const RunOptions& options) {
+  return run_any(scene, options, nullptr);
+}
+
+RunSummary resume_run(const std::string& path, const RunOptions& options) {
+  const TraceHead head = read_trace_head(path);
+  RunOptions resumed = options;
+  resumed.scalar = head.scalar;
+  resumed.state_every = head.state_every;
+  ResumePoint point = last_state(path);
+  if (is_checkpoint(path) && !options.trace.empty()) {
+    point.from = options.trace;
+    point.keep = place_behind_state(options.trace, point.state.k);
+  }
+  try {
+    return run_any(head.scene, resumed, &point);
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError({{path, 0, "", std::string("its full state does not fit its scene: ") + error.what()}});
+  } catch (const std::out_of_range&) {
+    throw InputError(
+        {{path, 0, "", "its full state names a particle or quantity that its scene does not have"}});
+  }
+}
+
+}  // namespace tps

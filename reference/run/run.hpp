@@ -1,0 +1,115 @@
+// A whole run: scene in, trace and summary out, in whichever scalar the caller names.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/scene/scene.hpp"
+
+namespace tps {
+
+/// The scalars that the engine is compiled for, by their names in commands and files.
+enum class ScalarKind { float_, double_, long_double, quad, mp50, mp100 };
+
+/// "float", "double", "long-double", "quad", "mp50", "mp100", in this order.
+const std::vector<std::string>& scalar_names();
+/// Nothing for an unknown name.
+std::optional<ScalarKind> scalar_kind(std::string_view name);
+
+struct RunOptions {
+  ScalarKind scalar = ScalarKind::double_;
+  std::optional<double> until;              ///< instead of the scene's duration
+  std::optional<std::uint64_t> max_events;  ///< ends after the first step that reaches it
+  std::uint64_t state_every = 0;            ///< a full state every so many events; 0: default_state_every
+  std::string trace;                        ///< file to write, "-" for standard output, empty for none
+  std::string checkpoint;                   ///< file that always holds the latest full state, empty for none
+  const std::atomic<bool>* interrupt = nullptr;  ///< ends the run, in good order, once it is true
+
+  struct Progress {
+    double t, duration;  ///< since the start
+    std::uint64_t events;
+  };
+  std::function<void(const Progress&)> progress;  ///< called about ten times a second
+};
+
+/// 1000, or 10 N for scenes of more than 100 particles: states stay a small part of the trace.
+std::uint64_t default_state_every(const Scene& scene);
+
+/// Clusters at one moment: connected components of tethers with at least so many particles of a species.
+struct ClusterSample {
+  double t = 0;            ///< since the start
+  std::string occasion;    ///< "sample", "before impulse", "after impulse"
+  std::vector<int> sizes;  ///< particles of the observed species, descending
+  double extent =
+      0;  ///< of the largest cluster: root mean square distance of its particles from their centre
+  double relative_speed = 0;  ///< root mean square velocity of its particles relative to their centre's
+  double centre_speed = 0;    ///< of its centre of mass
+};
+
+/// What `tps run` says at the end. Energies are relative to the infinite masses (ledger.hpp).
+struct RunSummary {
+  std::string title, scalar, end;
+  double t = 0;         ///< of the end, since the start
+  std::string exact_t;  ///< the same on the scene's clock, hexadecimal
+  std::uint64_t events = 0;
+  std::map<std::string, std::uint64_t> by_kind;
+  double seconds = 0;             ///< of this process
+  std::uint64_t events_here = 0;  ///< of this process
+
+  double momentum_drift = 0, momentum_bound = 0;
+  double kinetic_at_start = 0, kinetic = 0, stored = 0, lost = 0, work = 0;
+  double energy_remainder = 0, energy_bound = 0;
+  double worst_inner_excess = 0,
+         worst_outer_excess = 0;  ///< in ulps of the pair's largest coordinate, at events
+  double audit_inner_excess = 0, audit_outer_excess = 0;  ///< the same over all pairs at the end
+
+  bool observes_clusters = false;
+  std::string cluster_species;
+  std::vector<ClusterSample> clusters;
+
+  bool grouping = false;
+  double dt_restitute = 0;
+  std::uint64_t largest_group = 0;
+  double oldest_group = 0;
+  std::uint64_t live_groups = 0;
+  std::uint64_t noise = 0, zero_impulse = 0;
+  std::uint64_t particles = 0;
+
+  struct Final {
+    std::int32_t id;
+    std::string species;
+    std::vector<std::string> position, velocity;  ///< decimal, to the scalar's precision
+  };
+  std::vector<Final> final_states;  ///< at the end, where there are at most kFewParticles
+  static constexpr std::size_t kFewParticles = 12;
+
+  std::vector<std::string>
+      stalled_on;  ///< ids and species of the particles of the last events, if the run stalled
+};
+
+/// Simulates a scene. Throws OutputError when a result cannot be written.
+RunSummary run_scene(const Scene& scene, const RunOptions& options);
+
+/// What a trace or a checkpoint says before its first event.
+struct TraceHead {
+  Scene scene;
+  ScalarKind scalar = ScalarKind::double_;
+  std::uint64_t state_every = 0;
+};
+
+/// Reads the first line of a trace or checkpoint. Throws InputError.
+TraceHead read_trace_head(const std::string& path);
+
+/// Goes on from the last full state of a trace or checkpoint. Scene, scalar and state_every are the file's;
+/// events behind that state are simulated again, with the same result. The trace goes to options.trace, which
+/// may be the same file. Throws InputError, OutputError.
+RunSummary resume_run(const std::string& path, const RunOptions& options);
+
+}  // namespace tps

@@ -1,0 +1,258 @@
+// run_scene for one scalar and one dimension. Included by the instantiating files only.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "reference/run/audit.hpp"
+#include "reference/run/clusters.hpp"
+#include "reference/run/run.hpp"
+#include "reference/run/trace_file.hpp"
+#include "reference/trace/capture.hpp"
+#include "reference/trace/event_line.hpp"
+
+namespace tps {
+
+template <typename Scalar, int D>
+class RecordedRun {
+ public:
+  RecordedRun(const Scene& scene, const RunOptions& options, const ResumePoint* resume)
+      : scene_(scene),
+        options_(options),
+        duration_(options.until.value_or(scene.duration)),
+        state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
+        simulation_(scene),
+        files_(scene, options, state_every_, resume),
+        schedule_(scene, duration_) {
+    if (resume != nullptr) {
+      restore(simulation_, resume->state);
+      for (const std::vector<Hex>& data : resume->state.observations) samples_.push_back(sample_from(data));
+    } else if (files_.wants_states()) {
+      write_state_line(false);
+    }
+    first_event_ = simulation_.world().events;
+    simulation_.world().sink = [this](const Record<Scalar, D>& record) { note(record); };
+  }
+
+  RunSummary run() {
+    const auto start = std::chrono::steady_clock::now();
+    const EndReason reason = run_events();
+    const Time<Scalar> end = end_time(reason);
+    schedule_.sample_until(simulation_.world(), after_end(end), samples_);
+    if (files_.wants_states()) write_state_line(true);
+    if (files_.has_trace()) {
+      files_.line("{\"end\":\"" + std::string(name(reason)) + "\",\"events\":" +
+                  std::to_string(world().events) + ",\"t\":\"" + exact_time(scene_.start_time, end) + "\"}");
+    }
+    files_.close();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    return summarise(reason, end, seconds.count());
+  }
+
+ private:
+  const World<Scalar, D>& world() const { return simulation_.world(); }
+
+  EndReason run_events() {
+    const Time<Scalar> end{Scalar(duration_), Scalar(0)};
+    auto last_report = std::chrono::steady_clock::now();
+    for (std::uint64_t steps = 0;; ++steps) {
+      if (options_.interrupt != nullptr && options_.interrupt->load()) return EndReason::interrupted;
+      if (simulation_.stalled()) return EndReason::stalled;
+      if (options_.max_events && world().events >= *options_.max_events) return EndReason::max_events;
+      const Time<Scalar> next = simulation_.next_time();
+      if (next == Time<Scalar>::never() && end == next) return EndReason::no_more_events;
+      if (end < next) return EndReason::duration;
+      schedule_.sample_until(world(), next, samples_);
+      const std::uint64_t before = world().events;
+      simulation_.step();
+      if (files_.wants_states() && before / state_every_ != world().events / state_every_)
+        write_state_line(false);
+      if (steps % kStepsBetweenLooks != 0) continue;
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last_report < std::chrono::milliseconds(100)) continue;
+      last_report = now;
+      files_.flush();
+      if (options_.progress) {
+        options_.progress({static_cast<double>(world().now.hi), duration_, world().events});
+      }
+    }
+  }
+
+  /// A run that ended because time was up has reached the end of its duration; any other stands at its last
+  /// event.
+  Time<Scalar> end_time(EndReason reason) const {
+    return reason == EndReason::duration ? Time<Scalar>{Scalar(duration_), Scalar(0)} : world().now;
+  }
+  /// Samples that are due at the end itself are taken; later ones are not.
+  static Time<Scalar> after_end(const Time<Scalar>& end) { return after(end, Scalar(coming_after(end.hi))); }
+  static Scalar coming_after(const Scalar& t) {
+    return std::numeric_limits<Scalar>::epsilon() * (t + Scalar(1));
+  }
+
+  void note(const Record<Scalar, D>& record) {
+    if (files_.has_trace()) files_.line(event_line<Scalar, D>(scene_, record));
+    last_involved_.push_back(record.i);
+    last_involved_.push_back(record.j);
+    while (last_involved_.size() > kLastInvolved) last_involved_.pop_front();
+  }
+
+  void write_state_line(bool final) {
+    StateData state = capture(simulation_);
+    state.final = final;
+    for (const ClusterSample& sample : samples_) state.observations.push_back(sample_data(sample));
+    files_.state(write_state(state, exact_time(scene_.start_time, world().now)));
+  }
+
+  static std::vector<Hex> sample_data(const ClusterSample& s) {
+    std::vector<Hex> data = {s.occasion, to_hex(s.t), to_hex(s.extent), to_hex(s.relative_speed),
+                             to_hex(s.centre_speed)};
+    for (const int size : s.sizes) data.push_back(std::to_string(size));
+    return data;
+  }
+  static ClusterSample sample_from(const std::vector<Hex>& data) {
+    using detail::number_from;
+    ClusterSample s;
+    s.occasion = data.at(0);
+    s.t = number_from<double>(data.at(1));
+    s.extent = number_from<double>(data.at(2));
+    s.relative_speed = number_from<double>(data.at(3));
+    s.centre_speed = number_from<double>(data.at(4));
+    for (std::size_t n = 5; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
+    return s;
+  }
+
+  RunSummary summarise(EndReason reason, const Time<Scalar>& end, double seconds) const;
+  void summarise_conservation(RunSummary& s) const;
+  void summarise_groups(RunSummary& s, const Time<Scalar>& end) const;
+  std::vector<RunSummary::Final> final_states(const Time<Scalar>& end) const;
+  std::vector<std::string> stalled_particles() const;
+
+  static constexpr std::uint64_t kStepsBetweenLooks = 64;
+  static constexpr std::size_t kLastInvolved = 200;
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  double duration_;
+  std::uint64_t state_every_;
+  Simulation<Scalar, D> simulation_;
+  TraceFiles files_;
+  ClusterSchedule schedule_;
+  std::vector<ClusterSample> samples_;
+  std::uint64_t first_event_ = 0;
+  std::deque<int> last_involved_;
+};
+
+template <typename Scalar, int D>
+RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar>& end,
+                                             double seconds) const {
+  RunSummary s;
+  s.title = scene_.title;
+  s.scalar = scalar_names()[static_cast<std::size_t>(options_.scalar)];
+  s.end = name(reason);
+  s.t = static_cast<double>(end.hi);
+  s.exact_t = exact_time(scene_.start_time, end);
+  s.particles = world().particles.size();
+  s.events = world().events;
+  s.events_here = world().events - first_event_;
+  s.by_kind = {world().statistics.by_kind.begin(), world().statistics.by_kind.end()};
+  s.seconds = seconds;
+  summarise_conservation(s);
+  s.worst_inner_excess = static_cast<double>(world().statistics.worst_inner_excess);
+  s.worst_outer_excess = static_cast<double>(world().statistics.worst_outer_excess);
+  const BoundExcess<Scalar> audit = audit_bounds(world(), end);
+  s.audit_inner_excess = static_cast<double>(audit.inner);
+  s.audit_outer_excess = static_cast<double>(audit.outer);
+  s.observes_clusters = scene_.clusters.has_value();
+  if (scene_.clusters) s.cluster_species = scene_.species[world().index(scene_.clusters->species)].name;
+  s.clusters = samples_;
+  summarise_groups(s, end);
+  s.noise = world().statistics.noise;
+  s.zero_impulse = world().statistics.zero_impulse;
+  if (s.particles <= RunSummary::kFewParticles) s.final_states = final_states(end);
+  if (reason == EndReason::stalled) s.stalled_on = stalled_particles();
+  return s;
+}
+
+template <typename Scalar, int D>
+void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
+  using std::sqrt;
+  const Ledger<Scalar, D>& ledger = world().ledger;
+  Vector<Scalar, D> drift = momentum(world()) - ledger.momentum_at_start;
+  for (int k = 0; k < D; ++k) {
+    const std::size_t n = static_cast<std::size_t>(k);
+    drift[k] -= ledger.from_walls[n].value() + ledger.from_outside[n].value();
+  }
+  s.momentum_drift = static_cast<double>(Scalar(sqrt(drift.squaredNorm())));
+  s.momentum_bound = static_cast<double>(ledger.momentum_bound);
+  const Scalar kinetic = kinetic_energy(world());
+  const Scalar gained = kinetic - ledger.kinetic_at_start;
+  const Scalar remainder = gained + ledger.stored.value() + ledger.lost.value() - ledger.work.value();
+  s.kinetic_at_start = static_cast<double>(ledger.kinetic_at_start);
+  s.kinetic = static_cast<double>(kinetic);
+  s.stored = static_cast<double>(ledger.stored.value());
+  s.lost = static_cast<double>(ledger.lost.value());
+  s.work = static_cast<double>(ledger.work.value());
+  s.energy_remainder = static_cast<double>(remainder);
+  s.energy_bound = static_cast<double>(ledger.energy_bound);
+}
+
+template <typename Scalar, int D>
+void RecordedRun<Scalar, D>::summarise_groups(RunSummary& s, const Time<Scalar>& end) const {
+  const auto* groups = dynamic_cast<const GroupCoupling<Scalar, D>*>(world().coupling.get());
+  if (groups == nullptr) return;
+  s.grouping = true;
+  s.dt_restitute = scene_.grouping->dt_restitute;
+  s.largest_group = world().statistics.largest_group;
+  Scalar oldest = world().statistics.oldest_group;
+  for (const GroupBody<Scalar, D>* body : groups->forest().bodies()) {
+    oldest = std::max(oldest, elapsed(body->birth, end));
+    ++s.live_groups;
+  }
+  s.oldest_group = static_cast<double>(oldest);
+}
+
+template <typename Scalar, int D>
+std::vector<RunSummary::Final> RecordedRun<Scalar, D>::final_states(const Time<Scalar>& end) const {
+  const auto decimal = [](const Scalar& x) {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<Scalar>::digits10);
+    text << x;
+    return text.str();
+  };
+  std::vector<RunSummary::Final> states;
+  for (int i = 0; i < world().size(); ++i) {
+    const Vector<Scalar, D> position = world().position(i, end);
+    RunSummary::Final state{scene_.particles[world().index(i)].id,
+                            scene_.species[world().index(world().species(i))].name,
+                            {},
+                            {}};
+    for (int k = 0; k < D; ++k) {
+      state.position.push_back(decimal(position[k]));
+      state.velocity.push_back(decimal(world().velocity(i)[k]));
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+template <typename Scalar, int D>
+std::vector<std::string> RecordedRun<Scalar, D>::stalled_particles() const {
+  std::vector<std::string> names;
+  for (const int i : std::set<int>(last_involved_.begin(), last_involved_.end())) {
+    if (i < 0) continue;
+    names.push_back(std::to_string(scene_.particles[world().index(i)].id) + " (" +
+                    scene_.species[world().index(world().species(i))].name + ")");
+  }
+  return names;
+}
+
+template <typename Scalar>
+RunSummary run_in(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
+  if (scene.dimension == 2) return RecordedRun<Scalar, 2>(scene, options, resume).run();
+  return RecordedRun<Scalar, 3>(scene, options, resume).run();
+}
+
+}  // namespace tps

@@ -1,0 +1,55 @@
+// The trace and the checkpoint of a run, as files.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reference/run/run.hpp"
+#include "reference/trace/output.hpp"
+#include "reference/trace/state_data.hpp"
+
+namespace tps {
+
+/// Where a resumed run starts.
+struct ResumePoint {
+  StateData state;
+  std::uint64_t keep = 0;  ///< bytes of the trace to go on behind
+  std::string from;        ///< the file that holds them
+};
+
+/// The first line of a trace or, with kind "checkpoint", of a checkpoint.
+std::string head_line(std::string_view kind, const Scene& scene, ScalarKind scalar,
+                      std::uint64_t state_every);
+
+/// The last full state of a trace or checkpoint. Throws InputError where there is none.
+ResumePoint last_state(const std::string& path);
+
+/// Whether a file is a checkpoint; otherwise it should be a trace. Throws InputError when it cannot be read.
+bool is_checkpoint(const std::string& path);
+
+/// The place in a trace behind the full state with number k. Throws InputError if it holds no such state.
+std::uint64_t place_behind_state(const std::string& path, std::uint64_t k);
+
+/// Writes what a run reports to whichever of the two files its options ask for.
+class TraceFiles {
+ public:
+  TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
+             const ResumePoint* resume);
+
+  bool has_trace() const { return trace_ != nullptr; }
+  bool wants_states() const { return trace_ != nullptr || !checkpoint_.empty(); }
+  void line(std::string_view text);
+  void state(const std::string& text);
+  void flush();
+  void close();
+
+ private:
+  std::unique_ptr<Output> trace_;
+  std::string checkpoint_;
+  std::string checkpoint_head_;
+};
+
+}  // namespace tps

@@ -1,0 +1,190 @@
+#include "reference/scene/check_starts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "reference/scene/number_text.hpp"
+
+namespace tps {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+double largest_coordinate(const Coordinates& a, const Coordinates& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max({largest, std::fabs(a[k]), std::fabs(b[k])});
+  }
+  return largest;
+}
+
+double ulp(double value) {
+  int exponent = 0;
+  std::frexp(value, &exponent);  // value = f 2^exponent, f in [1/2, 1)
+  return std::ldexp(1.0, std::max(exponent - 53, -1074));
+}
+
+StartVerdict exact_verdict(const Coordinates& a, const Coordinates& b, double limit) {
+  Rational square = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Rational r = Rational(b[k]) - Rational(a[k]);
+    square += r * r;
+  }
+  const Rational allowance(start_allowance(a, b));
+  const Rational least = Rational(limit) - allowance;
+  const Rational most = Rational(limit) + allowance;
+  if (least > 0 && square < least * least) return StartVerdict::nearer;
+  return square > most * most ? StartVerdict::farther : StartVerdict::contact;
+}
+
+// Squares below this may have lost bits to underflow.
+constexpr double safe_square = 0x1p-900;
+// Each rounding of a difference, square or sum is at most 2^-53 of its result, so that a computed square of a
+// distance, or of a limit, is within 2^-50 of its value. The allowance adds at most 4 ulp of a coordinate,
+// which is not small against a distance far from the origin, and is therefore added to the limit itself.
+constexpr double rounding = 0x1p-48;
+
+// Index pairs of a law, for messages: what a pair that violates a limit did.
+struct Limit {
+  std::string_view name;
+  StartVerdict violation;
+  double distance;
+};
+
+class Starts {
+ public:
+  Starts(const Scene& scene, SceneSource& source) : scene_(scene), source_(source) {
+    members_.resize(scene.species.size());
+    for (std::size_t k = 0; k < scene.particles.size(); ++k) {
+      members_[static_cast<std::size_t>(scene.particles[k].species)].push_back(k);
+    }
+  }
+
+  void check() {
+    for (const PairLaw& law : scene_.pairs) {
+      if (fixed(law.species_a) && fixed(law.species_b)) continue;
+      if (law.blocking) check_blocking(law);
+      if (law.tethering && law.tethering->form.when == FormRule::When::permanent) check_permanent(law);
+    }
+    for (const Tether& tether : scene_.tethers) check_listed(tether);
+  }
+
+ private:
+  bool fixed(int species) const { return std::isinf(scene_.species[static_cast<std::size_t>(species)].mass); }
+  const std::vector<std::size_t>& members(int species) const {
+    return members_[static_cast<std::size_t>(species)];
+  }
+
+  // Along the axis on which the particles spread most, only those within the distance are looked at.
+  void check_blocking(const PairLaw& law) {
+    std::vector<std::size_t> order = members(law.species_a);
+    if (law.species_a != law.species_b) {
+      order.insert(order.end(), members(law.species_b).begin(), members(law.species_b).end());
+    }
+    const std::size_t axis = longest_axis(order);
+    const auto along = [&](std::size_t k) { return scene_.particles[k].position[axis]; };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return along(a) != along(b) ? along(a) < along(b) : a < b;
+    });
+    const Limit limit{"blocking", StartVerdict::nearer, law.blocking->distance};
+    for (std::size_t m = 0; m < order.size(); ++m) {
+      // Rounding is monotone: where the true difference is below the distance, the computed one is not above.
+      for (std::size_t n = m + 1; n < order.size() && along(order[n]) - along(order[m]) <= limit.distance;
+           ++n) {
+        const int s = scene_.particles[order[m]].species;
+        const int t = scene_.particles[order[n]].species;
+        if (law.species_a == law.species_b || s != t) check_pair(order[m], order[n], limit);
+        if (source_.full()) return;
+      }
+    }
+  }
+
+  std::size_t longest_axis(const std::vector<std::size_t>& particles) const {
+    std::size_t longest = 0;
+    double most = -1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (const std::size_t k : particles) {
+        low = std::min(low, scene_.particles[k].position[axis]);
+        high = std::max(high, scene_.particles[k].position[axis]);
+      }
+      if (high - low > most) {
+        most = high - low;
+        longest = axis;
+      }
+    }
+    return longest;
+  }
+
+  void check_permanent(const PairLaw& law) {
+    const Limit limit{"tethering", StartVerdict::farther, law.tethering->distance};
+    for (const std::size_t i : members(law.species_a)) {
+      for (const std::size_t j : members(law.species_b)) {
+        if (law.species_a == law.species_b && j <= i) continue;
+        check_pair(i, j, limit);
+        if (source_.full()) return;
+      }
+    }
+  }
+
+  void check_listed(const Tether& tether) {
+    const auto i = static_cast<std::size_t>(tether.i);
+    const auto j = static_cast<std::size_t>(tether.j);
+    const auto [a, b] = std::minmax(scene_.particles[i].species, scene_.particles[j].species);
+    for (const PairLaw& law : scene_.pairs) {
+      if (law.species_a != a || law.species_b != b || !law.tethering) continue;
+      check_pair(i, j, {"tethering", StartVerdict::farther, law.tethering->distance});
+    }
+  }
+
+  void check_pair(std::size_t i, std::size_t j, const Limit& limit) {
+    const Particle& a = scene_.particles[std::min(i, j)];
+    const Particle& b = scene_.particles[std::max(i, j)];
+    if (start_verdict(a.position, b.position, limit.distance) != limit.violation) return;
+    const double distance = std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],
+                                       b.position[2] - a.position[2]);
+    const bool nearer = limit.violation == StartVerdict::nearer;
+    source_.report(
+        fmt::format("/particles/{}/position", source_.particle_entries[std::max(i, j)]),
+        fmt::format(
+            "particles {} and {} start {} apart; their {} distance is {}, and {} than that by more than "
+            "4 ulp of the largest coordinate ({}) is no start: move one of them",
+            a.id, b.id, write_shortest(distance), limit.name, write_shortest(limit.distance),
+            nearer ? "nearer" : "farther", write_shortest(start_allowance(a.position, b.position))));
+  }
+
+  const Scene& scene_;
+  SceneSource& source_;
+  std::vector<std::vector<std::size_t>> members_;
+};
+
+}  // namespace
+
+double start_allowance(const Coordinates& a, const Coordinates& b) {
+  return 4 * ulp(largest_coordinate(a, b));
+}
+
+StartVerdict start_verdict(const Coordinates& a, const Coordinates& b, double limit) {
+  double square = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) square += (b[k] - a[k]) * (b[k] - a[k]);
+  const double allowance = start_allowance(a, b);
+  const double most = (limit + allowance) * (limit + allowance) * (1 + rounding);
+  if (std::isfinite(square) && square > safe_square && square > most) return StartVerdict::farther;
+  const double least = (limit - allowance) * (limit - allowance) * (1 - rounding);
+  if (limit > allowance && std::isfinite(least) && least > safe_square && square < least) {
+    return StartVerdict::nearer;
+  }
+  return exact_verdict(a, b, limit);
+}
+
+void check_starts(const Scene& scene, SceneSource& source) {
+  Starts(scene, source).check();
+}
+
+}  // namespace tps

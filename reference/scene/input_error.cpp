@@ -1,0 +1,66 @@
+#include "reference/scene/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tps {
+namespace {
+
+std::vector<InputProblem> sorted_by_line(std::vector<InputProblem> problems) {
+  std::stable_sort(problems.begin(), problems.end(),
+                   [](const InputProblem& a, const InputProblem& b) { return a.line < b.line; });
+  return problems;
+}
+
+// REQUIRES sorted problems.
+std::string format_all(const std::vector<InputProblem>& problems, std::size_t not_kept) {
+  std::string text;
+  const std::size_t shown = std::min(problems.size(), InputError::max_shown);
+  for (std::size_t k = 0; k < shown; ++k) {
+    if (k > 0) text += '\n';
+    text += format_problem(problems[k]);
+  }
+  const std::size_t more = problems.size() - shown + not_kept;
+  if (more > 0) text += fmt::format("\n… and {} more", more);
+  return text;
+}
+
+}  // namespace
+
+std::string format_problem(const InputProblem& problem) {
+  std::string text = problem.file;
+  if (problem.line > 0) text += fmt::format(":{}", problem.line);
+  text += ": ";
+  if (!problem.pointer.empty()) text += problem.pointer + ": ";
+  return text + problem.message;
+}
+
+InputError::InputError(std::vector<InputProblem> problems, std::size_t not_kept)
+    : std::runtime_error(format_all(sorted_by_line(problems), not_kept)),
+      problems_(sorted_by_line(std::move(problems))) {}
+
+void InputProblems::add(std::size_t line, std::string pointer, std::string message) {
+  if (full()) {
+    ++not_kept_;
+    return;
+  }
+  problems_.push_back({file_, line, std::move(pointer), std::move(message)});
+}
+
+void InputProblems::add(const InputProblem& problem) {
+  add(problem.line, problem.pointer, problem.message);
+}
+
+bool InputProblems::touches(const std::string& pointer) const {
+  return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
+    return problem.pointer == pointer || problem.pointer.starts_with(pointer + "/");
+  });
+}
+
+void InputProblems::throw_if_any() const {
+  if (!empty()) throw InputError(problems_, not_kept_);
+}
+
+}  // namespace tps

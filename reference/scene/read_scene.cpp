@@ -1,0 +1,43 @@
+#include "reference/scene/read_scene.hpp"
+
+#include "reference/scene/check_scene.hpp"
+#include "reference/scene/scene_sections.hpp"
+#include "reference/scene/scene_source.hpp"
+#include "reference/scene/schema_validator.hpp"
+#include "reference/scene/text_file.hpp"
+
+namespace tps {
+namespace {
+
+constexpr const char* too_large_remedy = "a scene of this size has too many particles for one run: use fewer";
+
+// Adds to the problems that are known already, so that all of a file's come at once.
+Scene read_value(const JsonValue& value, const std::string& prefix, InputProblems& problems) {
+  embedded_schema("scene").validate(value, problems, prefix);
+  SceneSource source(value, prefix, problems);
+  Scene scene = read_sections(source);
+  check_scene(scene, source);
+  problems.throw_if_any();
+  return scene;
+}
+
+Scene read_document(JsonDocument document) {
+  return read_value(document.root, "", document.problems);
+}
+
+}  // namespace
+
+Scene read_scene_file(const std::string& path) {
+  return read_document(parse_json_file(path, too_large_remedy));
+}
+
+Scene read_scene_text(std::string_view text, const std::string& name) {
+  return read_document(parse_json(text, name));
+}
+
+Scene read_scene_value(const JsonValue& value, const std::string& file, const std::string& pointer) {
+  InputProblems problems(file);
+  return read_value(value, pointer, problems);
+}
+
+}  // namespace tps

@@ -1,0 +1,282 @@
+#include "reference/scene/scene_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "reference/scene/json_number.hpp"
+#include "reference/scene/nearest_name.hpp"
+#include "reference/scene/schema_words.hpp"
+
+namespace tps {
+namespace {
+
+// The readers below run on values that the schema has accepted: a required key is there, with its type.
+
+double number(const JsonValue& object, std::string_view key) {
+  return json_number(*object.find(key)).value();
+}
+
+double number_or(const JsonValue& object, std::string_view key, double otherwise) {
+  return object.find(key) == nullptr ? otherwise : number(object, key);
+}
+
+int integer(const JsonValue& value) {
+  return static_cast<int>(value.number()->value);
+}
+
+const JsonValue::Array& entries(const JsonValue& root, std::string_view key) {
+  static const JsonValue::Array none;
+  const JsonValue* value = root.find(key);
+  return value == nullptr ? none : *value->array();
+}
+
+FormRule read_form(const JsonValue& value) {
+  if (value.object() != nullptr) return {FormRule::When::probability, number(value, "probability")};
+  if (*value.string() == "never") return {FormRule::When::never, 1};
+  if (*value.string() == "permanent") return {FormRule::When::permanent, 1};
+  return {FormRule::When::always, 1};
+}
+
+BreakRule read_break(const JsonValue& value) {
+  if (value.find("probability") != nullptr) {
+    return {BreakRule::When::probability, number(value, "probability"), 0};
+  }
+  if (value.find("impulse_above") != nullptr) {
+    return {BreakRule::When::impulse_above, 0, number(value, "impulse_above")};
+  }
+  return {*value.string() == "always" ? BreakRule::When::always : BreakRule::When::never, 0, 0};
+}
+
+class Sections {
+ public:
+  explicit Sections(SceneSource& source) : source_(source), root_(source.root()) {}
+
+  Scene read() {
+    read_top_level();
+    const bool named = root_.find("species") != nullptr && source_.sound({"species"});
+    if (named) read_species();
+    if (named && source_.sound({"pairs"})) read_pairs();
+    if (named && source_.sound({"phases"})) read_phases();
+    if (named && source_.sound({"observe"})) read_observe();
+    const bool measured = root_.find("dimension") != nullptr && source_.sound({"dimension"});
+    if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
+    if (named && measured) read_particles();
+    if (!named || !measured || !source_.sound({"particles"})) return scene_;
+    if (source_.sound({"impulses"})) read_impulses();
+    if (source_.sound({"tethers"})) read_tethers();
+    return scene_;
+  }
+
+ private:
+  void read_top_level() {
+    const auto there = [&](std::string_view key) {
+      return root_.find(key) != nullptr && source_.sound({key});
+    };
+    if (there("title")) scene_.title = *root_.find("title")->string();
+    if (there("dimension")) scene_.dimension = integer(*root_.find("dimension"));
+    if (there("start_time")) scene_.start_time = number(root_, "start_time");
+    if (there("duration")) scene_.duration = number(root_, "duration");
+    if (there("seed")) scene_.seed = json_uint64(*root_.find("seed")).value();
+    if (there("grouping")) scene_.grouping = Grouping{number(*root_.find("grouping"), "dt_restitute")};
+  }
+
+  void read_species() {
+    for (const JsonMember& member : *root_.find("species")->object()) {
+      Species species;
+      species.name = member.key;
+      species.mass = number(member.value, "mass");
+      species.radius = number(member.value, "radius");
+      if (const JsonValue* most = member.value.find("max_tethers")) species.max_tethers = integer(*most);
+      index_of_.emplace(species.name, static_cast<int>(scene_.species.size()));
+      names_.push_back(species.name);
+      scene_.species.push_back(species);
+    }
+  }
+
+  // Index of a species by its name; reports a name that no species has.
+  std::optional<int> species_index(const JsonValue& value, const std::string& pointer) {
+    const auto found = index_of_.find(*value.string());
+    if (found != index_of_.end()) return found->second;
+    source_.report(pointer, fmt::format("no species is named {}; the nearest is {}", quoted(*value.string()),
+                                        quoted(nearest_name(*value.string(), names_))));
+    return std::nullopt;
+  }
+
+  // The two species of a "between", the smaller index first.
+  std::optional<std::pair<int, int>> read_between(const JsonValue& entry, const std::string& pointer) {
+    const JsonValue::Array& between = *entry.find("between")->array();
+    const std::optional<int> a = species_index(between[0], pointer + "/between/0");
+    const std::optional<int> b = species_index(between[1], pointer + "/between/1");
+    if (!a || !b) return std::nullopt;
+    return std::minmax({*a, *b});
+  }
+
+  const Species& species(int index) const { return scene_.species[static_cast<std::size_t>(index)]; }
+
+  void read_pairs() {
+    const JsonValue::Array& list = entries(root_, "pairs");
+    std::map<std::pair<int, int>, std::size_t> entry_of;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::string pointer = fmt::format("/pairs/{}", k);
+      const std::optional<std::pair<int, int>> pair = read_between(list[k], pointer);
+      if (!pair) continue;
+      const auto [first, is_new] = entry_of.emplace(*pair, k);
+      if (!is_new) {
+        source_.report(pointer + "/between",
+                       fmt::format("the pair {} and {} stands in /pairs/{} (line {}) already; join the two "
+                                   "entries",
+                                   quoted(species(pair->first).name), quoted(species(pair->second).name),
+                                   first->second, list[first->second].line));
+        continue;
+      }
+      scene_.pairs.push_back(read_pair(list[k], *pair));
+    }
+  }
+
+  PairLaw read_pair(const JsonValue& entry, std::pair<int, int> pair) const {
+    const double r_a = species(pair.first).radius;
+    const double r_b = species(pair.second).radius;
+    PairLaw law;
+    law.species_a = pair.first;
+    law.species_b = pair.second;
+    // One addition or subtraction of doubles is correctly rounded: the defaults that the format promises.
+    if (const JsonValue* blocking = entry.find("blocking")) {
+      law.blocking = BlockingLaw{number_or(*blocking, "distance", r_a + r_b), number(*blocking, "c_rebound")};
+    }
+    if (const JsonValue* tethering = entry.find("tethering")) {
+      TetheringLaw outer;
+      outer.c_retract = number(*tethering, "c_retract");
+      outer.c_revolve = number(*tethering, "c_revolve");
+      outer.theta_revolve_deg = number(*tethering, "theta_revolve_deg");
+      if (const JsonValue* form = tethering->find("form")) outer.form = read_form(*form);
+      if (const JsonValue* breaks = tethering->find("break")) outer.breaks = read_break(*breaks);
+      outer.distance = number_or(*tethering, "distance", std::fabs(r_a - r_b));
+      law.tethering = outer;
+    }
+    return law;
+  }
+
+  void read_phases() {
+    const JsonValue::Array& list = entries(root_, "phases");
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::optional<std::pair<int, int>> pair = read_between(list[k], fmt::format("/phases/{}", k));
+      if (!pair) continue;
+      Phase phase;
+      phase.from = number(list[k], "from");
+      phase.until = number(list[k], "until");
+      phase.species_a = pair->first;
+      phase.species_b = pair->second;
+      if (const JsonValue* form = list[k].find("form")) phase.form = read_form(*form);
+      if (const JsonValue* breaks = list[k].find("break")) phase.breaks = read_break(*breaks);
+      scene_.phases.push_back(phase);
+    }
+  }
+
+  void read_observe() {
+    const JsonValue* observe = root_.find("observe");
+    const JsonValue* clusters = observe == nullptr ? nullptr : observe->find("clusters");
+    if (clusters == nullptr) return;
+    const std::optional<int> counted = species_index(*clusters->find("species"), "/observe/clusters/species");
+    if (!counted) return;
+    const JsonValue* least = clusters->find("at_least");
+    scene_.clusters = ClusterObservation{*counted, least == nullptr ? 3 : integer(*least)};
+  }
+
+  Coordinates read_vector(const JsonValue& value, const std::string& pointer) {
+    const JsonValue::Array& list = *value.array();
+    Coordinates vector{};
+    if (list.size() != static_cast<std::size_t>(scene_.dimension)) {
+      source_.report(pointer, fmt::format("found {} numbers; allowed: {}, the dimension of the scene",
+                                          list.size(), scene_.dimension));
+      return vector;
+    }
+    for (std::size_t k = 0; k < list.size(); ++k) vector[k] = json_number(list[k]).value();
+    return vector;
+  }
+
+  void read_particles() {
+    const JsonValue::Array& list = entries(root_, "particles");
+    std::vector<Particle> unsorted;
+    std::map<std::int32_t, std::size_t> entry_of;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::string pointer = fmt::format("/particles/{}", k);
+      Particle particle;
+      const JsonValue* id = list[k].find("id");
+      particle.id = id == nullptr ? static_cast<std::int32_t>(k) : integer(*id);
+      const auto [first, is_new] = entry_of.emplace(particle.id, k);
+      if (!is_new) {
+        source_.report(
+            pointer + "/id",
+            fmt::format("the id {} belongs to /particles/{} (line {}) already; ids are unique, and "
+                        "an entry without one has its place in the list, counted from 0, for id",
+                        particle.id, first->second, list[first->second].line));
+      }
+      particle.species = species_index(*list[k].find("species"), pointer + "/species").value_or(0);
+      particle.position = read_vector(*list[k].find("position"), pointer + "/position");
+      const JsonValue* velocity = list[k].find("velocity");
+      if (velocity != nullptr) particle.velocity = read_vector(*velocity, pointer + "/velocity");
+      unsorted.push_back(particle);
+    }
+    source_.particle_entries.resize(unsorted.size());
+    std::iota(source_.particle_entries.begin(), source_.particle_entries.end(), std::size_t{0});
+    std::stable_sort(source_.particle_entries.begin(), source_.particle_entries.end(),
+                     [&](std::size_t a, std::size_t b) { return unsorted[a].id < unsorted[b].id; });
+    for (const std::size_t k : source_.particle_entries) scene_.particles.push_back(unsorted[k]);
+  }
+
+  // Index of a particle by its id; reports an id that no particle has.
+  std::optional<int> particle_index(const JsonValue& value, const std::string& pointer) {
+    const int id = integer(value);
+    const auto found =
+        std::lower_bound(scene_.particles.begin(), scene_.particles.end(), id,
+                         [](const Particle& particle, int wanted) { return particle.id < wanted; });
+    if (found != scene_.particles.end() && found->id == id) {
+      return static_cast<int>(found - scene_.particles.begin());
+    }
+    source_.report(pointer, fmt::format("no particle has the id {}; ids in use lie from {} to {}", id,
+                                        scene_.particles.front().id, scene_.particles.back().id));
+    return std::nullopt;
+  }
+
+  void read_impulses() {
+    const JsonValue::Array& list = entries(root_, "impulses");
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::string pointer = fmt::format("/impulses/{}", k);
+      ScheduledImpulse impulse;
+      impulse.at = number(list[k], "at");
+      impulse.particle = particle_index(*list[k].find("particle"), pointer + "/particle").value_or(0);
+      impulse.impulse = read_vector(*list[k].find("impulse"), pointer + "/impulse");
+      scene_.impulses.push_back(impulse);
+    }
+  }
+
+  void read_tethers() {
+    const JsonValue::Array& list = entries(root_, "tethers");
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const JsonValue::Array& ids = *list[k].array();
+      const std::optional<int> i = particle_index(ids[0], fmt::format("/tethers/{}/0", k));
+      const std::optional<int> j = particle_index(ids[1], fmt::format("/tethers/{}/1", k));
+      if (i && j) scene_.tethers.push_back({std::min(*i, *j), std::max(*i, *j)});
+    }
+  }
+
+  SceneSource& source_;
+  const JsonValue& root_;
+  Scene scene_;
+  std::map<std::string, int, std::less<>> index_of_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+Scene read_sections(SceneSource& source) {
+  return Sections(source).read();
+}
+
+}  // namespace tps

@@ -1,0 +1,181 @@
+#include "reference/scene/schema_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/scene/json_pointer.hpp"
+#include "reference/scene/number_text.hpp"
+
+namespace tps {
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, std::string_view last_joint) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k > 0) text += k + 1 == parts.size() ? last_joint : std::string_view(", ");
+    text += parts[k];
+  }
+  return text;
+}
+
+std::string bound(const JsonValue& value) {
+  return describe_found(value);
+}
+
+std::string describe_list(const SchemaView& schema) {
+  const std::size_t least = schema.count("minItems", 0);
+  const std::size_t most = schema.count("maxItems", 0);
+  std::string text = "a list";
+  if (most > 0 && least == most) text = fmt::format("a list of {} entries", most);
+  if (most > 0 && least + 1 == most) text = fmt::format("a list of {} or {} entries", least, most);
+  if (most > least + 1) text = fmt::format("a list of {} to {} entries", least, most);
+  if (most == 0 && least > 0)
+    text = fmt::format("a list of at least {} {}", least, least == 1 ? "entry" : "entries");
+  if (const JsonValue* items = schema.find("items")) text += ", each " + describe_allowed(schema.at(*items));
+  return text;
+}
+
+std::string describe_object(const SchemaView& schema) {
+  std::vector<std::string> needed;
+  for (const JsonValue& key : schema.list("required")) needed.push_back(*key.string());
+  if (needed.empty()) return "an object";
+  return fmt::format("an object with {} {}", needed.size() == 1 ? "the key" : "the keys",
+                     quoted_list(needed, " and "));
+}
+
+std::string describe_type(const SchemaView& schema, std::string_view type) {
+  const std::string range = describe_range(schema);
+  const std::string tail = range.empty() ? "" : " " + range;
+  if (type == "number") return "a number" + tail;
+  if (type == "integer") return "an integer" + tail;
+  if (type == "array") return describe_list(schema);
+  if (type == "object") return describe_object(schema);
+  if (type == "boolean") return "true or false";
+  if (type == "null") return "null";
+  const std::string_view format = schema.text("format");
+  if (format == "tps-number") return "a hexadecimal float like \"0x1.8p+1\" in its place";
+  if (format == "tps-number-or-inf") return "a hexadecimal float like \"0x1.8p+1\" in its place or \"inf\"";
+  if (format == "tps-uint64") return "a string with a decimal or hexadecimal integer up to 2^64-1";
+  const std::size_t least = schema.count("minLength", 0);
+  const std::size_t most = schema.count("maxLength", 0);
+  if (most > 0) return fmt::format("a string of at most {} characters", most);
+  return least > 0 ? "a string that is not empty" : "a string";
+}
+
+}  // namespace
+
+const JsonValue* SchemaView::find(std::string_view keyword) const {
+  const JsonValue* at = schema;
+  while (at != nullptr) {
+    if (const JsonValue* value = at->find(keyword)) return value;
+    const JsonValue* reference = at->find("$ref");
+    at = reference == nullptr ? nullptr : &resolve_pointer(*root, reference->string()->substr(1));
+  }
+  return nullptr;
+}
+
+std::string_view SchemaView::text(std::string_view keyword) const {
+  const JsonValue* value = find(keyword);
+  return value == nullptr || value->string() == nullptr ? std::string_view() : *value->string();
+}
+
+std::size_t SchemaView::count(std::string_view keyword, std::size_t otherwise) const {
+  const JsonValue* value = find(keyword);
+  return value == nullptr ? otherwise : static_cast<std::size_t>(value->number()->value);
+}
+
+const JsonValue::Array& SchemaView::list(std::string_view keyword) const {
+  static const JsonValue::Array none;
+  const JsonValue* value = find(keyword);
+  return value == nullptr || value->array() == nullptr ? none : *value->array();
+}
+
+std::vector<std::string_view> SchemaView::types() const {
+  const JsonValue* type = find("type");
+  if (type == nullptr) return {};
+  if (type->string() != nullptr) return {*type->string()};
+  std::vector<std::string_view> names;
+  for (const JsonValue& name : *type->array()) names.push_back(*name.string());
+  return names;
+}
+
+std::string describe_range(const SchemaView& schema) {
+  const JsonValue* least = schema.find("minimum");
+  const JsonValue* most = schema.find("maximum");
+  const JsonValue* above = schema.find("exclusiveMinimum");
+  const JsonValue* below = schema.find("exclusiveMaximum");
+  if (least != nullptr && most != nullptr) return fmt::format("from {} to {}", bound(*least), bound(*most));
+  std::vector<std::string> parts;
+  if (above != nullptr) parts.push_back("greater than " + bound(*above));
+  if (least != nullptr) parts.push_back("at least " + bound(*least));
+  if (below != nullptr) parts.push_back("less than " + bound(*below));
+  if (most != nullptr) parts.push_back("at most " + bound(*most));
+  return joined(parts, " and ");
+}
+
+std::string describe_allowed(const SchemaView& schema) {
+  std::vector<std::string> parts;
+  if (const JsonValue* constant = schema.find("const")) return describe_found(*constant);
+  for (const JsonValue& value : schema.list("enum")) parts.push_back(describe_found(value));
+  for (const JsonValue& alternative : schema.list("oneOf")) {
+    parts.push_back(describe_allowed(schema.at(alternative)));
+  }
+  if (parts.empty()) {
+    for (const std::string_view type : schema.types()) parts.push_back(describe_type(schema, type));
+  }
+  return joined(parts, " or ");
+}
+
+std::string describe_found(const JsonValue& value) {
+  if (value.is_null()) return "null";
+  if (const bool* boolean = value.boolean()) return *boolean ? "true" : "false";
+  if (const JsonNumber* number = value.number()) return write_shortest(number->value);
+  if (const std::string* string = value.string()) return quoted(*string);
+  if (const JsonValue::Array* array = value.array()) {
+    return fmt::format("a list of {} {}", array->size(), array->size() == 1 ? "entry" : "entries");
+  }
+  return "an object";
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string result = "\"";
+  std::size_t characters = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool begins_character = (byte & 0xC0U) != 0x80U;  // not a continuation byte of UTF-8
+    if (begins_character && ++characters > longest) return result + "…\"";
+    if (byte < 0x20 || byte == 0x7F) {
+      result += fmt::format("\\u{:04x}", byte);
+    } else {
+      if (c == '"' || c == '\\') result += '\\';
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+std::string quoted_list(const std::vector<std::string>& names, std::string_view last_joint) {
+  std::vector<std::string> parts;
+  for (const std::string& name : names) parts.push_back(quoted(name));
+  return joined(parts, last_joint);
+}
+
+bool same_json(const JsonValue& a, const JsonValue& b) {
+  if (a.data.index() != b.data.index()) return false;
+  if (a.is_null()) return true;
+  if (a.boolean() != nullptr) return *a.boolean() == *b.boolean();
+  if (a.number() != nullptr) return a.number()->value == b.number()->value;
+  if (a.string() != nullptr) return *a.string() == *b.string();
+  if (a.array() != nullptr) {
+    return std::equal(a.array()->begin(), a.array()->end(), b.array()->begin(), b.array()->end(), same_json);
+  }
+  return a.object()->size() == b.object()->size() &&
+         std::all_of(a.object()->begin(), a.object()->end(), [&](const JsonMember& member) {
+           const JsonValue* other = b.find(member.key);
+           return other != nullptr && same_json(member.value, *other);
+         });
+}
+
+}  // namespace tps

@@ -1,0 +1,94 @@
+// The lines of a trace, docs/trace.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reference/engine/record.hpp"
+#include "reference/scene/scene.hpp"
+#include "reference/trace/hexfloat.hpp"
+
+namespace tps {
+
+/// The exact time on the scene's clock, start_time + hi + lo, in as many digits as that takes.
+template <typename Scalar>
+std::string exact_time(double start_time, const Time<Scalar>& t) {
+  if (start_time == 0 && t.lo == Scalar(0)) return to_hex(t.hi);
+  const std::array<HexDigits, 3> terms = {hex_digits(start_time), hex_digits(t.hi), hex_digits(t.lo)};
+  return join_hex(exact_sum(terms));
+}
+
+namespace detail {
+
+template <typename Scalar, int D>
+void append_vector(std::string& line, const Vector<Scalar, D>& v) {
+  for (int k = 0; k < D; ++k) line.append(k == 0 ? "[\"" : "\",\"").append(to_hex(Scalar(v[k])));
+  line.append("\"]");
+}
+
+/// {"0":{"position":[…],"velocity":[…]},…}, velocities before or after the event.
+template <typename Scalar, int D>
+void append_states(std::string& line, const Scene& scene, const Record<Scalar, D>& record, bool after_event) {
+  char separator = '{';
+  for (const ParticleChange<Scalar, D>& change : record.involved) {
+    line.push_back(separator);
+    line.append("\"").append(std::to_string(scene.particles[static_cast<std::size_t>(change.particle)].id));
+    line.append("\":{\"position\":");
+    append_vector<Scalar, D>(line, change.position);
+    line.append(",\"velocity\":");
+    append_vector<Scalar, D>(line, after_event ? change.velocity_after : change.velocity_before);
+    line.push_back('}');
+    separator = ',';
+  }
+  line.push_back('}');
+}
+
+}  // namespace detail
+
+/// One event as a line of JSON, without its end.
+template <typename Scalar, int D>
+std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
+  const auto id = [&](int i) { return std::to_string(scene.particles[static_cast<std::size_t>(i)].id); };
+  std::string line;
+  line.append("{\"k\":").append(std::to_string(record.k));
+  line.append(",\"t\":\"").append(exact_time(scene.start_time, record.t));
+  line.append("\",\"dt\":\"").append(to_hex(record.dt));
+  line.append("\",\"kind\":\"").append(record.kind).append("\"");
+  if (record.detail) line.append(",\"phase\":").append(std::to_string(*record.detail));
+  if (record.i >= 0) line.append(",\"i\":").append(id(record.i));
+  if (record.j >= 0 && record.j != record.i) line.append(",\"j\":").append(id(record.j));
+  if (!record.involved.empty()) {
+    line.append(",\"pre\":");
+    detail::append_states<Scalar, D>(line, scene, record, false);
+    line.append(",\"post\":");
+    detail::append_states<Scalar, D>(line, scene, record, true);
+  }
+  if (record.dp) {
+    line.append(",\"dp\":");
+    detail::append_vector<Scalar, D>(line, *record.dp);
+  }
+  if (record.dp_stored) {
+    line.append(",\"dp_stored\":");
+    detail::append_vector<Scalar, D>(line, *record.dp_stored);
+  }
+  if (record.tether != TetherChange::none) {
+    line.append(",\"tether\":\"")
+        .append(record.tether == TetherChange::formed ? "formed" : "broken")
+        .append("\"");
+  }
+  if (record.draw) line.append(",\"draw\":\"").append(to_hex(*record.draw)).append("\"");
+  if (!record.members.empty()) {
+    char separator = '[';
+    line.append(",\"members\":");
+    for (const int m : record.members) {
+      line.push_back(separator);
+      line.append(id(m));
+      separator = ',';
+    }
+    line.push_back(']');
+  }
+  line.push_back('}');
+  return line;
+}
+
+}  // namespace tps
