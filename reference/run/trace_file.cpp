@@ -1,5 +1,6 @@
 #include "reference/run/trace_file.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -124,6 +125,20 @@ ResumePoint last_state(const std::string& path) {
   point.state = state_of(path, lines);
   point.keep = point.state.final ? start : end;
   return point;
+}
+
+StateData last_state_until(const std::string& path, std::optional<double> until) {
+  if (!until) return last_state(path).state;
+  Lines lines(path);
+  std::optional<StateData> found;
+  while (lines.next()) {
+    if (!lines.text.starts_with(kStateStart)) continue;
+    StateData state = state_of(path, lines);
+    if (std::strtod(state.now[0].c_str(), nullptr) > *until) break;
+    found = std::move(state);
+  }
+  if (!found) fail(path, 0, "holds no full state up to that time");
+  return *found;
 }
 
 std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {

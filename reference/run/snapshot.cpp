@@ -1,0 +1,67 @@
+#include "reference/run/snapshot.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <unordered_map>
+
+#include "reference/run/trace_file.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/scene/read_scene.hpp"
+
+namespace tps {
+namespace {
+
+/// Hexadecimal floats of any length, to the nearest double: good enough for a picture.
+double nearest(const Hex& text) {
+  return std::strtod(text.c_str(), nullptr);
+}
+double nearest(const HexTime& time) {
+  return nearest(time[0]) + nearest(time[1]);
+}
+
+bool starts_like_a_scene(const std::string& path) {
+  std::ifstream in(path);
+  std::string start(16, '\0');
+  in.read(start.data(), 16);
+  return !start.starts_with("{\"trace\":") && !start.starts_with("{\"checkpoint\":");
+}
+
+Snapshot of_scene(Scene scene) {
+  Snapshot snapshot;
+  for (const Particle& p : scene.particles) snapshot.positions.push_back(p.position);
+  for (const Tether& tether : scene.tethers) snapshot.tethers.emplace_back(tether.i, tether.j);
+  snapshot.scene = std::move(scene);
+  return snapshot;
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
+  if (path == "-" || starts_like_a_scene(path)) return of_scene(read_scene_file(path));
+  Snapshot snapshot;
+  snapshot.scene = read_trace_head(path).scene;
+  const StateData state = last_state_until(path, at);
+  snapshot.t = nearest(state.now);
+  std::unordered_map<std::int32_t, int> index_of;
+  for (const Particle& p : snapshot.scene.particles) {
+    index_of.emplace(p.id, static_cast<int>(index_of.size()));
+  }
+  snapshot.positions.resize(index_of.size());
+  try {
+    for (const StateData::Particle& p : state.particles) {
+      std::array<double, 3>& position = snapshot.positions[static_cast<std::size_t>(index_of.at(p.id))];
+      const double flight = snapshot.t - nearest(p.clock);
+      for (std::size_t k = 0; k < p.position.size() && k < 3; ++k) {
+        position[k] = nearest(p.position.at(k)) + nearest(p.velocity.at(k)) * flight;
+      }
+    }
+    for (const auto& [first, second] : state.tethers) {
+      snapshot.tethers.emplace_back(index_of.at(first), index_of.at(second));
+    }
+  } catch (const std::out_of_range&) {
+    throw InputError({{path, 0, "", "its full state does not fit its scene"}});
+  }
+  return snapshot;
+}
+
+}  // namespace tps

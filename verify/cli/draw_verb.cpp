@@ -1,0 +1,40 @@
+// tps draw
+#include <memory>
+#include <optional>
+
+#include "reference/run/snapshot.hpp"
+#include "verify/cli/verbs.hpp"
+#include "verify/cli/write_result.hpp"
+#include "verify/draw/draw_svg.hpp"
+
+namespace tps::cli {
+
+void add_draw(CLI::App& app, int&) {
+  struct Arguments {
+    std::string trace;
+    std::string output = "-";
+    std::optional<double> at;
+    double size = DrawOptions{}.size;
+  };
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* verb =
+      app.add_subcommand("draw", "Draws a full state of a trace, or a scene's start, as an SVG picture.");
+  verb->add_option("file", a->trace, "Trace, checkpoint or scene file")->required();
+  verb->add_option("-o,--output", a->output, "Write the picture here")->capture_default_str();
+  verb->add_option("--at", a->at,
+                   "The last full state up to this time since the start (default: the last one)");
+  verb->add_option("--size", a->size, "Width in pixels")
+      ->check(CLI::Range(64.0, 16384.0))
+      ->capture_default_str();
+  verb->footer(
+      "Example: tps run data/scenes/terminal.json -o terminal.ndjson && tps draw terminal.ndjson -o end.svg");
+  verb->callback([a] {
+    const Snapshot snapshot = read_snapshot(a->trace, a->at);
+    DrawOptions options;
+    options.size = a->size;
+    options.time = snapshot.t;
+    write_result(a->output, draw_svg(snapshot.scene, snapshot.positions, snapshot.tethers, options));
+  });
+}
+
+}  // namespace tps::cli

@@ -1,0 +1,61 @@
+#include "verify/cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tps::cli {
+namespace {
+
+constexpr int kBarWidth = 30;
+constexpr std::chrono::seconds kBetweenLines(5);
+
+std::string duration_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+ProgressReport::ProgressReport(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressReport::~ProgressReport() {
+  if (drawn_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressReport::update(const RunOptions::Progress& progress) {
+  if (quiet_) return;
+  const Clock::time_point now = Clock::now();
+  if (t_before_ < 0) {  // a resumed run did not start at zero
+    t_before_ = progress.t;
+    events_before_ = progress.events;
+    return;
+  }
+  if (!terminal_ && now - last_line_ < kBetweenLines) return;
+  last_line_ = now;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const double rate = static_cast<double>(progress.events - events_before_) / seconds;
+  std::string text = fmt::format("{} events, {:.3g} events/s, t = {:.6g}", progress.events, rate, progress.t);
+  if (std::isfinite(progress.duration)) {
+    const double part = std::clamp(progress.t / progress.duration, 0.0, 1.0);
+    const double done_here = progress.t - t_before_;
+    const std::string left =
+        done_here > 0 ? duration_text(seconds * (progress.duration - progress.t) / done_here) + " left" : "";
+    const auto filled = static_cast<int>(part * kBarWidth);
+    const std::string bar = terminal_ ? fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kBarWidth - filled) : "";
+    text = fmt::format("{}{:3.0f} %  {} of {:.6g}  {}", bar, 100 * part, text, progress.duration, left);
+  }
+  if (terminal_) {
+    fmt::print(stderr, "\r{}\033[K", text);
+    drawn_ = true;
+  } else {
+    fmt::print(stderr, "{}\n", text);
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace tps::cli

@@ -1,0 +1,102 @@
+// tps run
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+#include "reference/run/run.hpp"
+#include "reference/run/trace_file.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "verify/cli/progress.hpp"
+#include "verify/cli/summary.hpp"
+#include "verify/cli/verbs.hpp"
+#include "verify/cli/write_result.hpp"
+
+namespace tps::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void note_interrupt(int) {
+  interrupted.store(true);
+}
+
+struct RunArguments {
+  std::string scene;
+  std::string scalar = "double";
+  std::string detector = "all-pairs";
+  std::string format = "text";
+  std::string resume;
+  bool quiet = false;
+  RunOptions options;
+};
+
+RunSummary simulate(RunArguments& a) {
+  if (a.resume.empty()) return run_scene(read_scene_file(a.scene), a.options);
+  if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
+  return resume_run(a.resume, a.options);
+}
+
+int run(RunArguments& a) {
+  a.options.scalar = *scalar_kind(a.scalar);
+  a.options.interrupt = &interrupted;
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  RunSummary summary;
+  {
+    ProgressReport report(a.quiet);
+    a.options.progress = [&](const RunOptions::Progress& progress) { report.update(progress); };
+    summary = simulate(a);
+  }
+  const std::string text = a.format == "json" ? summary_json(summary) : summary_text(summary);
+  if (a.options.trace == "-") {
+    if (!a.quiet) fmt::print(stderr, "{}", text);
+  } else {
+    write_result("-", text);
+  }
+  if (summary.end == "stalled") return kStalled;
+  return summary.end == "interrupted" ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  const auto a = std::make_shared<RunArguments>();
+  CLI::App* verb =
+      app.add_subcommand("run", "Simulates a scene; prints a summary, writes a trace if asked to.");
+  CLI::Option* scene = verb->add_option("scene", a->scene, "Scene file, - for standard input");
+  verb->add_option("-o,--output", a->options.trace,
+                   "Write the trace here, - for standard output (the summary then goes to standard error)");
+  verb->add_option("--scalar", a->scalar, "Type of every number in the run")
+      ->check(CLI::IsMember(scalar_names()))
+      ->capture_default_str();
+  verb->add_option("--detector", a->detector, "How the next collision is found")
+      ->check(CLI::IsMember({"all-pairs"}))
+      ->capture_default_str();
+  verb->add_option("--until", a->options.until, "End at this time instead of the scene's duration")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--max-events", a->options.max_events, "End after this many events");
+  verb->add_option(
+          "--state-every", a->options.state_every,
+          "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--checkpoint", a->options.checkpoint, "Keep the latest full state in this file");
+  CLI::Option* resume = verb->add_option("--resume", a->resume,
+                                         "Go on from the last full state of a trace (by default in that "
+                                         "file) or checkpoint; the scene is the file's");
+  verb->add_option("--format", a->format, "Of the summary")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  verb->add_flag("-q,--quiet", a->quiet, "No progress on standard error");
+  resume->excludes(scene);
+  verb->footer(
+      "Example: tps run data/scenes/terminal.json -o terminal.ndjson\n"
+      "         tps run --resume terminal.ndjson");
+  verb->callback([=, &exit_code] {
+    if (scene->count() + resume->count() != 1) throw CLI::RequiredError("a scene file, or --resume FILE,");
+    exit_code = run(*a);
+  });
+}
+
+}  // namespace tps::cli

@@ -1,0 +1,69 @@
+#include <nlohmann/json.hpp>
+
+#include "verify/cli/summary.hpp"
+
+namespace tps::cli {
+
+using json = nlohmann::ordered_json;
+
+namespace {
+
+json clusters_json(const RunSummary& s) {
+  json samples = json::array();
+  for (const ClusterSample& c : s.clusters) {
+    samples.push_back({{"t", c.t},
+                       {"occasion", c.occasion},
+                       {"sizes", c.sizes},
+                       {"extent", c.extent},
+                       {"relative_speed", c.relative_speed},
+                       {"centre_speed", c.centre_speed}});
+  }
+  return {{"species", s.cluster_species}, {"samples", samples}};
+}
+
+}  // namespace
+
+std::string summary_json(const RunSummary& s) {
+  json result{{"title", s.title},
+              {"scalar", s.scalar},
+              {"end", s.end},
+              {"t", s.t},
+              {"t_exact", s.exact_t},
+              {"events", s.events},
+              {"by_kind", s.by_kind},
+              {"seconds", s.seconds},
+              {"events_per_second", s.seconds > 0 ? static_cast<double>(s.events_here) / s.seconds : 0},
+              {"momentum", {{"drift", s.momentum_drift}, {"bound", s.momentum_bound}}},
+              {"energy",
+               {{"kinetic_at_start", s.kinetic_at_start},
+                {"kinetic", s.kinetic},
+                {"stored", s.stored},
+                {"lost", s.lost},
+                {"work", s.work},
+                {"remainder", s.energy_remainder},
+                {"bound", s.energy_bound}}},
+              {"worst_excess_ulps",
+               {{"inner_at_events", s.worst_inner_excess},
+                {"outer_at_events", s.worst_outer_excess},
+                {"inner_at_end", s.audit_inner_excess},
+                {"outer_at_end", s.audit_outer_excess}}},
+              {"noise", s.noise},
+              {"zero_impulse", s.zero_impulse}};
+  if (s.grouping) {
+    result["groups"] = {{"dt_restitute", s.dt_restitute},
+                        {"largest", s.largest_group},
+                        {"oldest", s.oldest_group},
+                        {"live", s.live_groups}};
+  }
+  if (s.observes_clusters) result["clusters"] = clusters_json(s);
+  if (!s.final_states.empty()) {
+    for (const RunSummary::Final& p : s.final_states) {
+      result["final"].push_back(
+          {{"id", p.id}, {"species", p.species}, {"position", p.position}, {"velocity", p.velocity}});
+    }
+  }
+  if (!s.stalled_on.empty()) result["stalled_on"] = s.stalled_on;
+  return result.dump(2) + "\n";
+}
+
+}  // namespace tps::cli

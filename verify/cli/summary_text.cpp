@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "verify/cli/summary.hpp"
+
+namespace tps::cli {
+namespace {
+
+using Text = std::back_insert_iterator<std::string>;
+
+std::string verdict(double value, double bound) {
+  return value <= bound ? "within" : "BEYOND";
+}
+
+/// Positive excess in ulps; what is inside the bound needs no number.
+std::string excess(double ulps) {
+  return ulps > 0 ? fmt::format("{:.2g} ulp", ulps) : "none";
+}
+
+void write_conservation(Text out, const RunSummary& s) {
+  fmt::format_to(
+      out, "energy     kinetic {:.6g} -> {:.6g}, lost {:.6g}, stored {:.6g}, work from outside {:.6g}\n",
+      s.kinetic_at_start, s.kinetic, s.lost, s.stored, s.work);
+  fmt::format_to(out, "           remainder {:.2e}, {} its bound {:.2e}\n", s.energy_remainder,
+                 verdict(std::abs(s.energy_remainder), s.energy_bound), s.energy_bound);
+  fmt::format_to(out, "momentum   drift {:.2e}, {} its bound {:.2e}\n", s.momentum_drift,
+                 verdict(s.momentum_drift, s.momentum_bound), s.momentum_bound);
+  fmt::format_to(out, "distances  beyond the inner limit: {} at events, {} at the end\n",
+                 excess(s.worst_inner_excess), excess(s.audit_inner_excess));
+  fmt::format_to(out, "           beyond the outer limit: {} at events, {} at the end\n",
+                 excess(s.worst_outer_excess), excess(s.audit_outer_excess));
+}
+
+void write_groups(Text out, const RunSummary& s) {
+  const double age = s.oldest_group / s.dt_restitute;
+  fmt::format_to(out,
+                 "groups     largest {} of {} particles, oldest {:.3g} dt_restitute, {} live at the end\n",
+                 s.largest_group, s.particles, age, s.live_groups);
+  constexpr double kOldGroup = 10;  // semantics §4
+  constexpr std::uint64_t kLargeGroup = 10;
+  constexpr std::uint64_t kManyParticles = 30;  // in a handful every group is a tenth of them
+  if (age > kOldGroup || (s.particles >= kManyParticles && s.largest_group * kLargeGroup >= s.particles)) {
+    fmt::format_to(out,
+                   "           warning: a group held a tenth of the particles or outlived 10 dt_restitute; "
+                   "dt_restitute is too large for this scene\n");
+  }
+}
+
+void write_clusters(Text out, const RunSummary& s) {
+  if (s.clusters.empty()) return;
+  fmt::format_to(out, "clusters   of {}; extent and speeds are those of the largest\n", s.cluster_species);
+  fmt::format_to(out, "           {:>10}  {:>6}  {:>8}  {:>8}  {:>8}  sizes\n", "t", "number", "extent",
+                 "relative", "centre");
+  for (const ClusterSample& c : s.clusters) {
+    fmt::format_to(out, "           {:>10.5g}  {:>6}", c.t, c.sizes.size());
+    if (c.sizes.empty()) {
+      fmt::format_to(out, "{:>30}", "");
+    } else {
+      fmt::format_to(out, "  {:>8.4g}  {:>8.4g}  {:>8.4g}", c.extent, c.relative_speed, c.centre_speed);
+    }
+    fmt::format_to(out, "  {}{}\n", fmt::join(c.sizes, " "),
+                   c.occasion == "sample" ? "" : "  (" + c.occasion + ")");
+  }
+}
+
+void write_final(Text out, const RunSummary& s) {
+  for (const RunSummary::Final& p : s.final_states) {
+    fmt::format_to(out, "particle   {} ({}) at ({}) with velocity ({})\n", p.id, p.species,
+                   fmt::join(p.position, ", "), fmt::join(p.velocity, ", "));
+  }
+}
+
+}  // namespace
+
+std::string summary_text(const RunSummary& s) {
+  std::string text;
+  const Text out = std::back_inserter(text);
+  fmt::format_to(out, "scene      {} ({} particles, {})\n", s.title.empty() ? "untitled" : s.title,
+                 s.particles, s.scalar);
+  fmt::format_to(out, "end        {} at t = {:.9g} after {} events", s.end, s.t, s.events);
+  if (s.seconds > 0)
+    fmt::format_to(out, " ({:.3g} events/s)", static_cast<double>(s.events_here) / s.seconds);
+  fmt::format_to(out, "\nevents    ");
+  for (const auto& [kind, count] : s.by_kind) fmt::format_to(out, " {} {} ", kind, count);
+  fmt::format_to(out, "\n           below rounding {}, with zero impulse {}\n", s.noise, s.zero_impulse);
+  write_conservation(out, s);
+  if (s.grouping) write_groups(out, s);
+  if (s.observes_clusters) write_clusters(out, s);
+  write_final(out, s);
+  if (!s.stalled_on.empty()) {
+    fmt::format_to(
+        out,
+        "stalled    the clock stood still over the last events, between particles {}.\n"
+        "           An inelastic collapse, or its finite number of collisions is beyond this scalar: give "
+        "the "
+        "scene\n           \"grouping\" with a small \"dt_restitute\", or run with a wider --scalar.\n",
+        fmt::join(s.stalled_on, ", "));
+  }
+  return text;
+}
+
+}  // namespace tps::cli

@@ -1,0 +1,26 @@
+// The verbs of the program. Each function registers one with its options; its callback sets the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tps::cli {
+
+void add_run(CLI::App& app, int& exit_code);
+void add_explain(CLI::App& app, int& exit_code);
+void add_scene(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app, int& exit_code);
+
+/// What the program returns to the shell (--help lists the same).
+enum ExitCode : int {
+  kDone = 0,
+  kViolation = 1,
+  kUsage = 2,
+  kBadInput = 3,
+  kOtherProgram = 4,
+  kUndecided = 5,
+  kStalled = 6,
+  kOutputFailed = 7,
+  kInterrupted = 130,
+};
+
+}  // namespace tps::cli
