@@ -2,7 +2,6 @@
 // relative velocity along and across it; and the mass that every impulse formula contains.
 #pragma once
 
-#include <cmath>
 #include <type_traits>
 
 #include "reference/equations/vector.hpp"
@@ -11,7 +10,9 @@ namespace tps {
 
 /// Reduced mass μ = (1/m_A + 1/m_B)⁻¹ of eqs. (4), (5) and (7).
 ///
-/// Masses are in (0, ∞]; with one of them infinite it is the other. REQUIRES not both infinite.
+/// Masses are in (0, ∞]; with one of them infinite it is the other, to two roundings (1/(1/49) is not 49 in
+/// double). REQUIRES not both infinite, and 1/m finite (a double mass of at least 5.6e−309).
+/// Law: reduced_mass(m_A, m_B) == reduced_mass(m_B, m_A) bitwise.
 template <typename Scalar>
 Scalar reduced_mass(const Scalar& m_A, const std::type_identity_t<Scalar>& m_B) {
   return Scalar(1) / (Scalar(1) / m_A + Scalar(1) / m_B);
@@ -30,14 +31,14 @@ struct CollisionFrame {
 /// Axis and relative velocity of a colliding pair.
 ///
 /// Departs from the paper's notation: it calls both the number v_n and the vector v_n û by the one name
-/// v_û. REQUIRES u_A ≠ u_B.
+/// v_û. v_ŵ is a difference: where the motion is nearly along û its relative error is that of rounding times
+/// |v_AB|/|v_ŵ|, so an exactly head-on pair may show a v_ŵ of one rounding of v_AB.
+/// REQUIRES u_A ≠ u_B.
 /// Law: swapping A and B flips û and v_AB, keeps v_n, and flips v_û and v_ŵ, bitwise.
 template <typename Scalar, int D>
 CollisionFrame<Scalar, D> collision_frame(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                           const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B) {
-  using std::sqrt;
-  const Vector<Scalar, D> r = u_B - u_A;
-  const Vector<Scalar, D> u_hat = r / Scalar(sqrt(r.squaredNorm()));
+  const Vector<Scalar, D> u_hat = unit_vector<Scalar, D>(u_B - u_A);
   const Vector<Scalar, D> v_AB = v_B - v_A;
   const Scalar v_n = v_AB.dot(u_hat);
   const Vector<Scalar, D> v_u = v_n * u_hat;

@@ -37,22 +37,28 @@ Scalar cross_squared(const Vector<Scalar, 3>& r, const Vector<Scalar, 3>& v) {
 /// Coefficients of eq. (2) from the relative position r, the relative velocity v and the limit L.
 ///
 /// Departs from the paper's b² − 4ac by identities that hold exactly in real arithmetic:
-///   c = (|r| − L)(|r| + L), so that a pair near its limit loses nothing in the subtraction;
-///   D = a L² − |r × v|² (Lagrange) where h² ≥ a L², that is from afar, where h² and a c would cancel;
-///   D = h² − a c where h² < a L², that is near the limit; inside it (c < 0) two positive terms are added.
-/// Either form of D errs by a few units in the last place of the larger of its two terms, so the form with
-/// the smaller terms is used.
-/// Law: approach(r, v, L) == approach(−r, −v, L) bitwise, so it does not matter who is called A.
+///   c = (|r| − L)(|r| + L) for |r| < 2L: there the subtraction is exact, so c errs by the rounding of |r|
+///   alone (by nothing where r lies along an axis, as in a line of particles); from farther |r|² − L², as
+///   printed, cancels little and has fewer roundings; D = a L² − |r × v|² (Lagrange) where h² ≥ a L², that is
+///   from afar, where h² and a c would cancel; D = h² − a c where h² < a L², that is near the limit; inside
+///   it (c < 0) two positive terms are added.
+/// Errors, in units u of rounding: h by u |r||v|, the minors of r × v likewise, c by u |r|(|r| + L) at most,
+/// so D by a few u (a L² + |r × v||r||v|) in the first form and a few u a (|r| + L)² in the second. The first
+/// is what rounding r does to it, and no form does better from rounded r; docs/eq2.md has the bounds. Law:
+/// approach(r, v, L) == approach(−r, −v, L) bitwise, so it does not matter who is called A.
 template <typename Scalar, int D>
 Approach<Scalar> approach(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v,
                           const std::type_identity_t<Scalar>& L) {
   using std::sqrt;
-  const Scalar distance = sqrt(r.squaredNorm());
   const Scalar a = v.squaredNorm();
   const Scalar h = r.dot(v);
-  const Scalar c = (distance - L) * (distance + L);
+  const Scalar r_squared = r.squaredNorm();
+  const Scalar L_squared = L * L;
+  const bool near_limit = r_squared < Scalar(4) * L_squared;
+  const Scalar distance = near_limit ? Scalar(sqrt(r_squared)) : Scalar(0);
+  const Scalar c = near_limit ? Scalar((distance - L) * (distance + L)) : Scalar(r_squared - L_squared);
   const Scalar h_squared = h * h;
-  const Scalar a_L_squared = a * (L * L);
+  const Scalar a_L_squared = a * L_squared;
   const Scalar discriminant =
       h_squared < a_L_squared ? Scalar(h_squared - a * c) : Scalar(a_L_squared - cross_squared(r, v));
   return {a, h, c, discriminant};
@@ -69,6 +75,9 @@ struct ScaledQuery {
 /// Scales r and L by one power of two and v by another, so that no square over- or underflows that
 /// matters: |v| = 1e155 or 1e−170 would otherwise make a = |v|² infinite or zero. Within the comfortable
 /// range (a quarter of the exponents, so that a L² and |r × v|² have room) nothing is changed.
+///
+/// Where L is below |r| by more than half the exponent range (2^-500 in double) L² vanishes beside |r|²,
+/// and a head-on pair reads `tangent`; no scaling mends that.
 ///
 /// REQUIRES v ≠ 0, L > 0, all finite.
 template <typename Scalar, int D>

@@ -122,10 +122,11 @@ CollisionTime<Scalar> timed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D
 /// @param u_A,u_B positions; @param v_A,v_B velocities; @param L > 0 the inner limiting distance.
 /// @return verdict, and t in units of time: 0 for `overlap` and `contact`, the smaller root for `hit`,
 /// absent for `static`, `receding`, `miss`, `tangent`.
-/// REQUIRES finite inputs.
+/// REQUIRES finite inputs with finite differences. A time beyond the scalar's range is ∞ or 0.
 /// Laws: (1) block_time(A, B) == block_time(B, A) bitwise; (2) lengths and velocities times 2^k leave the
 /// verdict and t unchanged bitwise, velocities alone times 2^k divide t by 2^k; (3) a larger L is never
-/// reached later; (4) |distance_after(t) − L| is of the order of rounding for `hit`.
+/// reached later; (4) for `hit` the distance at t is L to a few u (|r| + L). (3) and (4) to rounding, see
+/// docs/eq2.md.
 /// Accuracy: verdicts near their boundaries are those of rounded coefficients; see docs/eq2.md.
 template <typename Scalar, int D>
 CollisionTime<Scalar> block_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -23,12 +24,13 @@ struct PaperRoots {
 /// Roots of eq. (1) set to Δu = L, by eq. (2) as printed: Δt = (−b ± √(b² − 4ac)) / 2a.
 ///
 /// @param L the limiting distance Δu. @return coefficients and the real, finite roots; both absent for
-/// a = 0 (no relative motion) and for a negative discriminant.
+/// a = 0 (no relative motion) and for a negative discriminant; a root that overflows is not finite.
 /// Accuracy: none is promised. b² − 4ac and −b + √… cancel; that is what eq2_collision_time.hpp avoids.
 template <typename Scalar, int D>
 PaperRoots<Scalar> paper_roots(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
                                const std::type_identity_t<Scalar>& L) {
+  using std::abs;
   using std::sqrt;
   const Vector<Scalar, D> r = u_B - u_A;
   const Vector<Scalar, D> v = v_B - v_A;
@@ -38,8 +40,10 @@ PaperRoots<Scalar> paper_roots(const Vector<Scalar, D>& u_A, const Vector<Scalar
   const Scalar discriminant = b * b - Scalar(4) * a * c;
   PaperRoots<Scalar> roots{a, b, c, discriminant, std::nullopt, std::nullopt};
   if (a > Scalar(0) && discriminant >= Scalar(0)) {
-    roots.minus = (-b - sqrt(discriminant)) / (Scalar(2) * a);
-    roots.plus = (-b + sqrt(discriminant)) / (Scalar(2) * a);
+    const Scalar minus = (-b - sqrt(discriminant)) / (Scalar(2) * a);
+    const Scalar plus = (-b + sqrt(discriminant)) / (Scalar(2) * a);
+    if (abs(minus) <= (std::numeric_limits<Scalar>::max)()) roots.minus = minus;
+    if (abs(plus) <= (std::numeric_limits<Scalar>::max)()) roots.plus = plus;
   }
   return roots;
 }

@@ -20,8 +20,7 @@ bool retraction_suffices(const CollisionFrame<Scalar, D>& frame,
                          const std::type_identity_t<Scalar>& c_retract,
                          const std::type_identity_t<Scalar>& tan_theta) {
   using std::abs;
-  using std::sqrt;
-  const Scalar tangential_speed = sqrt(frame.v_w.squaredNorm());
+  const Scalar tangential_speed = norm<Scalar, D>(frame.v_w);
   return tangential_speed == Scalar(0) || abs(c_retract * frame.v_n) > tan_theta * tangential_speed;
 }
 
@@ -44,13 +43,12 @@ Revolution<Scalar, D> revolution(const CollisionFrame<Scalar, D>& frame,
                                  const std::type_identity_t<Scalar>& c_revolve,
                                  const std::type_identity_t<Scalar>& theta_revolve_deg) {
   using std::pow;
-  using std::sqrt;
-  const Scalar tangential_speed = sqrt(frame.v_w.squaredNorm());
+  const Scalar tangential_speed = norm<Scalar, D>(frame.v_w);
   const Vector<Scalar, D> v_revolve =
       frame.v_w - (tan_degrees<Scalar>(theta_revolve_deg) * tangential_speed) * frame.u_hat;
-  const Vector<Scalar, D> u_hat_revolve = v_revolve / Scalar(sqrt(v_revolve.squaredNorm()));
+  const Vector<Scalar, D> u_hat_revolve = unit_vector<Scalar, D>(v_revolve);
   const Scalar speed_ratio = pow(c_revolve, Scalar(theta_revolve_deg / Scalar(180)));
-  const Scalar speed_before = sqrt(frame.v_AB.squaredNorm());
+  const Scalar speed_before = norm<Scalar, D>(frame.v_AB);
   const Vector<Scalar, D> v_AB_after = (speed_ratio * speed_before) * u_hat_revolve;
   return {v_revolve, u_hat_revolve, speed_ratio, v_AB_after};
 }

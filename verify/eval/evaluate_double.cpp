@@ -1,0 +1,3 @@
+#include "verify/eval/evaluate_in.hpp"
+
+template tps::eval::Report tps::eval::evaluate_in<double>(const Operation&, const Input&, std::string_view);

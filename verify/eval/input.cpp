@@ -1,0 +1,237 @@
+#include "verify/eval/input.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "reference/scene/input_error.hpp"
+#include "reference/scene/json_document.hpp"
+#include "reference/scene/json_number.hpp"
+#include "reference/scene/nearest_name.hpp"
+#include "reference/scene/number_text.hpp"
+#include "reference/scene/text_file.hpp"
+
+namespace tps::eval {
+namespace {
+
+/// Collects what was read, and everything that is wrong with it.
+class Reader {
+ public:
+  Reader(const Operation& operation, const std::string& source) : operation_(operation), problems_(source) {}
+
+  /// Takes the numbers of one key.
+  void take(const std::string& key, const std::vector<double>& numbers, std::size_t line,
+            const std::string& pointer) {
+    if (!known(key, line, pointer)) return;
+    if (!input_.values.emplace(key, numbers).second) {
+      problems_.add(line, pointer, fmt::format("{} is given twice; give it once", key));
+      return;
+    }
+    check(key, numbers, line, pointer);
+  }
+
+  /// Whether the operation has that key; says so if not.
+  bool known(const std::string& key, std::size_t line, const std::string& pointer) {
+    if (std::find(operation_.keys.begin(), operation_.keys.end(), key) != operation_.keys.end()) return true;
+    problems_.add(line, pointer,
+                  fmt::format("{} has no key {}; did you mean {}? It takes {}", operation_.name, key,
+                              nearest_name(key, operation_.keys), fmt::join(operation_.keys, ", ")));
+    return false;
+  }
+
+  void problem(std::size_t line, const std::string& pointer, std::string message) {
+    problems_.add(line, pointer, std::move(message));
+  }
+  /// A key that is there but could not be read is not missing as well.
+  void unreadable(const std::string& key) { input_.values.emplace(key, std::vector<double>{}); }
+
+  /// What needs all keys: completeness, equal masses of infinity, an axis.
+  Input finish() {
+    for (const std::string& key : operation_.keys) {
+      if (!input_.values.contains(key)) {
+        problems_.add(
+            0, "",
+            fmt::format("{} needs {}; it takes {}", operation_.name, key, fmt::join(operation_.keys, ", ")));
+      }
+    }
+    problems_.throw_if_any();
+    const auto& v = input_.values;
+    if (v.contains("m_A") && std::isinf(v.at("m_A")[0]) && std::isinf(v.at("m_B")[0])) {
+      problems_.add(0, "", "m_A and m_B are both inf; two infinite masses never interact, make one finite");
+    }
+    if (operation_.needs_axis && v.at("u_A") == v.at("u_B")) {
+      problems_.add(
+          0, "", "u_A and u_B are the same point, so û = (u_B - u_A)/|u_B - u_A| is not defined; move one");
+    }
+    problems_.throw_if_any();
+    return input_;
+  }
+
+ private:
+  void check(const std::string& key, const std::vector<double>& numbers, std::size_t line,
+             const std::string& pointer) {
+    const auto refuse = [&](double found, const char* allowed) {
+      problems_.add(line, pointer, fmt::format("{} is {}; {}", key, found, allowed));
+    };
+    const Domain domain = domain_of(key);
+    if (domain == Domain::vector) {
+      check_dimension(key, numbers, line, pointer);
+      for (const double x : numbers) {
+        if (!std::isfinite(x)) refuse(x, "components must be finite");
+      }
+      return;
+    }
+    if (numbers.size() != 1) {
+      problems_.add(line, pointer,
+                    fmt::format("{} has {} components; it must be one number", key, numbers.size()));
+      return;
+    }
+    const double x = numbers[0];
+    switch (domain) {
+      case Domain::length:
+        if (!(x > 0 && std::isfinite(x))) refuse(x, "a limiting distance must be finite and above 0");
+        break;
+      case Domain::mass:
+        if (!(x > 0)) refuse(x, "a mass must be above 0, or inf");
+        break;
+      case Domain::coefficient:
+        if (!(x >= 0 && x <= 1)) refuse(x, "a coefficient must be in [0, 1]");
+        break;
+      case Domain::angle:
+        if (!(x >= 1e-6 && x <= 90 - 1e-6)) refuse(x, "θ_revolve must be in [1e-6, 89.999999] degrees");
+        break;
+      default:
+        if (!std::isfinite(x)) refuse(x, "it must be finite");
+    }
+  }
+
+  void check_dimension(const std::string& key, const std::vector<double>& numbers, std::size_t line,
+                       const std::string& pointer) {
+    const int found = static_cast<int>(numbers.size());
+    if (found != 2 && found != 3) {
+      problems_.add(line, pointer, fmt::format("{} has {} components; a vector has 2 or 3", key, found));
+    } else if (input_.dimension == 0) {
+      input_.dimension = found;
+    } else if (found != input_.dimension) {
+      problems_.add(
+          line, pointer,
+          fmt::format("{} has {} components where the vectors before it have {}; all must have the same", key,
+                      found, input_.dimension));
+    }
+  }
+
+  const Operation& operation_;
+  InputProblems problems_;
+  Input input_;
+};
+
+/// A number as people type it; the reason why not otherwise.
+struct TypedNumber {
+  std::optional<double> value;
+  std::string reason;
+};
+
+TypedNumber typed_number(const std::string& text) {
+  if (text == "inf" || text == "+inf") return {HUGE_VAL, ""};
+  if (text == "-inf") return {-HUGE_VAL, ""};
+  if (text.find_first_of("xX") != std::string::npos) {
+    const HexFloat hex = parse_hex_float(text);
+    if (hex.verdict == HexFloat::Verdict::exact) return {hex.value, ""};
+    if (hex.verdict == HexFloat::Verdict::not_a_double) return {{}, "is a number that no double has"};
+    return {{}, "is not a hexadecimal float such as 0x1.8p+1"};
+  }
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range) return {{}, "is outside the range of double"};
+  if (error != std::errc() || rest != end || std::isnan(value)) {
+    return {{}, "is not a number; write a decimal, a hexadecimal float or inf"};
+  }
+  return {value, ""};
+}
+
+std::optional<std::vector<double>> json_numbers(const JsonValue& value) {
+  std::vector<double> numbers;
+  if (const std::optional<double> one = json_number(value)) return std::vector<double>{*one};
+  if (value.array() == nullptr) return std::nullopt;
+  for (const JsonValue& component : *value.array()) {
+    const std::optional<double> x = json_number(component);
+    if (!x) return std::nullopt;
+    numbers.push_back(*x);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Input read_words(const Operation& operation, const std::vector<std::string>& words) {
+  Reader reader(operation, "command line");
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) {
+      reader.problem(0, "", fmt::format("'{}' is not key=value, such as u_A=0,0 or L=1", word));
+      continue;
+    }
+    const std::string key = word.substr(0, equals);
+    std::vector<double> numbers;
+    bool readable = true;
+    for (std::size_t begin = equals + 1; begin <= word.size();) {
+      const std::size_t comma = std::min(word.find(',', begin), word.size());
+      const std::string text = word.substr(begin, comma - begin);
+      const TypedNumber number = typed_number(text);
+      if (number.value) {
+        numbers.push_back(*number.value);
+      } else {
+        reader.problem(0, "", fmt::format("{}: '{}' {}", key, text, number.reason));
+        readable = false;
+      }
+      begin = comma + 1;
+    }
+    if (readable) {
+      reader.take(key, numbers, 0, "");
+    } else if (reader.known(key, 0, "")) {
+      reader.unreadable(key);
+    }
+  }
+  return reader.finish();
+}
+
+Input read_json(const Operation& operation, const std::string& path) {
+  const JsonDocument document = parse_json_file(path, "the input of one operation is a small object");
+  document.problems.throw_if_any();
+  Reader reader(operation, display_name(path));
+  const JsonValue* object = &document.root;
+  std::string prefix;
+  if (const JsonValue* in = object->find("in")) {
+    const JsonValue* op = object->find("op");
+    if (op != nullptr && (op->string() == nullptr || *op->string() != operation.name)) {
+      reader.problem(op->line, "/op",
+                     fmt::format("the request is for another operation than {}", operation.name));
+    }
+    object = in;
+    prefix = "/in";
+  }
+  if (object->object() == nullptr) {
+    reader.problem(object->line, prefix, "must be an object such as {\"u_A\":[0,0],…}");
+    return reader.finish();
+  }
+  for (const JsonMember& member : *object->object()) {
+    const std::string pointer = prefix + "/" + member.key;
+    if (const std::optional<std::vector<double>> numbers = json_numbers(member.value)) {
+      reader.take(member.key, *numbers, member.key_line, pointer);
+    } else if (reader.known(member.key, member.key_line, pointer)) {
+      reader.problem(
+          member.value.line, pointer,
+          "must be a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
+      reader.unreadable(member.key);
+    }
+  }
+  return reader.finish();
+}
+
+}  // namespace tps::eval

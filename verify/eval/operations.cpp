@@ -1,0 +1,76 @@
+#include "verify/eval/operations.hpp"
+
+#include <algorithm>
+
+namespace tps::eval {
+
+const std::vector<Operation>& operations() {
+  static const std::vector<Operation> table{
+      {Op::distance, "distance", "(1)", "distance after free flight", {"u_A", "u_B", "v_A", "v_B", "dt"}},
+      {Op::paper_time, "paper_time", "(2)", "roots and rule as printed", {"u_A", "u_B", "v_A", "v_B", "L"}},
+      {Op::block_time,
+       "block_time",
+       "(2)",
+       "at distance L and approaching",
+       {"u_A", "u_B", "v_A", "v_B", "L"}},
+      {Op::tether_time,
+       "tether_time",
+       "(2)",
+       "at distance L and separating",
+       {"u_A", "u_B", "v_A", "v_B", "L"}},
+      {Op::apply_impulse,
+       "apply_impulse",
+       "(3)",
+       "velocities after an impulse",
+       {"m_A", "m_B", "v_A", "v_B", "dp"}},
+      {Op::collision_impulse,
+       "collision_impulse",
+       "(4)",
+       "impulse of a rebound or a retraction",
+       {"u_A", "u_B", "v_A", "v_B", "m_A", "m_B", "c"},
+       true},
+      {Op::revolution_impulse,
+       "revolution_impulse",
+       "(5)",
+       "impulse of a revolution",
+       {"u_A", "u_B", "v_A", "v_B", "m_A", "m_B", "c_revolve", "theta_revolve_deg"},
+       true},
+      {Op::tether_response,
+       "tether_response",
+       "(4) or (5)",
+       "retraction where it suffices, else revolution",
+       {"u_A", "u_B", "v_A", "v_B", "m_A", "m_B", "c_retract", "c_revolve", "theta_revolve_deg"},
+       true},
+      {Op::load, "load", "(6)", "common velocity of two grouped bodies", {"m_A", "m_B", "v_A", "v_B"}},
+      {Op::restitution_impulse,
+       "restitution_impulse",
+       "(7)",
+       "impulse kept while grouped",
+       {"m_A", "m_B", "v_A", "v_B", "dp"}},
+  };
+  return table;
+}
+
+const Operation* find_operation(std::string_view name) {
+  const auto& table = operations();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Operation& o) { return o.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> operation_names() {
+  std::vector<std::string> names;
+  for (const Operation& o : operations()) names.emplace_back(o.name);
+  return names;
+}
+
+Domain domain_of(std::string_view key) {
+  if (key == "L") return Domain::length;
+  if (key == "m_A" || key == "m_B") return Domain::mass;
+  if (key == "theta_revolve_deg") return Domain::angle;
+  if (key == "dt") return Domain::number;
+  if (key == "c" || key == "c_retract" || key == "c_revolve") return Domain::coefficient;
+  return Domain::vector;
+}
+
+}  // namespace tps::eval

@@ -1,0 +1,51 @@
+// The equations that `tps eval` answers: one table of operations, and of what their numbers may be.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tps::eval {
+
+enum class Op {
+  distance,
+  paper_time,
+  block_time,
+  tether_time,
+  apply_impulse,
+  collision_impulse,
+  revolution_impulse,
+  tether_response,
+  load,
+  restitution_impulse,
+};
+
+/// What a number or vector of the input may be.
+enum class Domain {
+  vector,       ///< 2 or 3 finite numbers, as many as in every other vector
+  number,       ///< finite
+  length,       ///< finite, above 0
+  mass,         ///< above 0, "inf" allowed
+  coefficient,  ///< in [0, 1]
+  angle,        ///< degrees in [1e-6, 90 − 1e-6]
+};
+
+struct Operation {
+  Op op;
+  std::string_view name;
+  std::string_view equation;  ///< "(4)"
+  std::string_view what;
+  std::vector<std::string> keys;
+  bool needs_axis = false;  ///< û is needed: the positions must differ
+};
+
+const std::vector<Operation>& operations();
+
+/// Null for an unknown name.
+const Operation* find_operation(std::string_view name);
+
+std::vector<std::string> operation_names();
+
+Domain domain_of(std::string_view key);
+
+}  // namespace tps::eval

@@ -1,0 +1,35 @@
+// What an evaluation shows: every intermediate value by its name in the paper, then the results.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/eval/operations.hpp"
+
+namespace tps::eval {
+
+/// A number in both spellings, independent of the scalar it was computed in.
+struct Number {
+  std::string decimal;  ///< enough digits to read it back
+  std::string hex;      ///< exact
+};
+
+/// A named value: one number, the components of a vector, a word, or nothing (an absent time).
+struct Quantity {
+  std::string key;     ///< in JSON
+  std::string symbol;  ///< as in the paper
+  std::string formula;
+  std::vector<Number> numbers;
+  bool is_vector = false;
+  std::string word;
+};
+
+struct Report {
+  std::vector<Quantity> steps, results;
+};
+
+std::string report_text(const Operation& operation, std::string_view scalar, const Report& report);
+std::string report_json(const Operation& operation, std::string_view scalar, const Report& report);
+
+}  // namespace tps::eval
