@@ -2,6 +2,8 @@
 
 namespace tps {
 
-std::string_view version() { return TPS_VERSION; }
+std::string_view version() {
+  return TPS_VERSION;
+}
 
 }  // namespace tps
