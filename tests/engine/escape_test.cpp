@@ -46,13 +46,15 @@ TEST(TautPair, IsNeverLost) {
 }
 
 // With a chord this shallow (depth θ²/2 = 1.5e-16 of the tether) rounding leaves many pairs where they cannot
-// come back inside; they are held all the same, within what the scene's coordinates resolve.
+// come back inside; they are held all the same. Nothing draws such a pair in, so that its excess walks at
+// random: after n events it is of the order of √n landings of up to 2√2 ulps, and 4 times that is exceeded by
+// none.
 TEST(TautPair, IsNeverLostAtTheSmallestAngle) {
   for (int n = 0; n < 100; ++n) {
     const Scene scene = perpendicular_pair(.01 + .062 * n, 3.3 * (n % 7), 1e-6, .5);
     const RunSummary s = run_scene(scene, options_for("double", 2000));
     EXPECT_EQ(s.events, 2000U) << n;
-    EXPECT_LE(s.audit_outer_excess, 64) << n;
+    EXPECT_LE(s.audit_outer_excess, 4 * std::sqrt(2000.) * 2 * std::sqrt(2.)) << n;
   }
 }
 

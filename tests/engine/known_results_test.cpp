@@ -150,7 +150,7 @@ Scene billiard_pair(double b, double v) {
   block(scene, 0, 0);
   testing::tether(scene, 0, 0, 1.5);
   scene.pairs[0].tethering->theta_revolve_deg = 1;
-  const double x = -std::sqrt(1.25 * 1.25 - b * b);  // between the limits, approaching
+  const double x = -std::sqrt(1.4 * 1.4 - b * b);  // between the limits, approaching
   add_particle(scene, 0, {0, 0, 0}, {-v / 2, 0, 0});
   add_particle(scene, 0, {x, b, 0}, {v / 2, 0, 0});
   scene.tethers = {{0, 1}};
