@@ -34,10 +34,17 @@ Time<Scalar> after(const Time<Scalar>& t, const Scalar& dt) {
   return {hi, rest - (hi - sum)};
 }
 
-/// later − earlier, in the scalar. REQUIRES both finite. Error: at most 2u |later − earlier| + 2u² |later|.
+/// later − earlier, rounded to the scalar. REQUIRES both finite.
+///
+/// The difference of the his is exact (TwoSum), so that the one rounding that counts is the last one: the
+/// result is the nearest to the exact difference, or the next after it where that difference is within a
+/// relative 4u² of the middle between the two.
 template <typename Scalar>
 Scalar elapsed(const Time<Scalar>& earlier, const Time<Scalar>& later) {
-  return (later.hi - earlier.hi) + (later.lo - earlier.lo);
+  const Scalar difference = later.hi - earlier.hi;
+  const Scalar part = later.hi - difference;
+  const Scalar rest = (later.hi - (difference + part)) + (part - earlier.hi);
+  return difference + (rest + (later.lo - earlier.lo));
 }
 
 }  // namespace tps

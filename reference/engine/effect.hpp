@@ -83,6 +83,7 @@ class Effect {
   virtual void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) = 0;
 
   /// How many of the events known in advance have happened; a resumed run starts there.
+  /// Throws std::out_of_range when the scene has fewer.
   virtual std::uint64_t progress() const { return 0; }
   virtual void resume(World<Scalar, D>&, std::uint64_t /*progress*/) {}
 };

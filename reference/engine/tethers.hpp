@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
+#include <utility>
 #include <vector>
 
 namespace tps {
@@ -50,7 +52,7 @@ class Responded {
   struct Entry {
     int partner;
     Limit limit;
-    friend bool operator==(const Entry&, const Entry&) = default;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
   };
 
   explicit Responded(std::vector<bool> fixed) : fixed_(std::move(fixed)), entries_(fixed_.size()) {}
@@ -62,15 +64,18 @@ class Responded {
   }
   /// The velocity of i has changed.
   void forget(int i) { entries_[static_cast<std::size_t>(i)].clear(); }
+  /// Ascending, so that a full state does not depend on entries that a partner has since made void.
   const std::vector<Entry>& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
 
  private:
   bool is_fixed(int i) const { return fixed_[static_cast<std::size_t>(i)]; }
   bool has(int i, Entry entry) const {
-    return is_fixed(i) || std::find(of(i).begin(), of(i).end(), entry) != of(i).end();
+    return is_fixed(i) || std::binary_search(of(i).begin(), of(i).end(), entry);
   }
   void insert(int i, Entry entry) {
-    if (!is_fixed(i) && !has(i, entry)) entries_[static_cast<std::size_t>(i)].push_back(entry);
+    if (has(i, entry)) return;
+    std::vector<Entry>& entries = entries_[static_cast<std::size_t>(i)];
+    entries.insert(std::lower_bound(entries.begin(), entries.end(), entry), entry);
   }
 
   std::vector<bool> fixed_;

@@ -160,6 +160,7 @@ void World<Scalar, D>::set_velocity(int i, const Vec& velocity) {
   if (fixed(i)) return;
   using std::sqrt;
   Vec& stored = particles[index(i)].velocity;
+  // Also where nothing changed: a heavy particle may have rounded a whole impulse away.
   ledger.add_rounding(mass(i), Scalar(sqrt(stored.squaredNorm()) + sqrt(velocity.squaredNorm())));
   if (stored != velocity) responded.forget(i);
   stored = velocity;

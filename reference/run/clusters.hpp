@@ -78,7 +78,8 @@ ClusterSample sample_clusters(const World<Scalar, D>& world, const ClusterMoment
 }
 
 /// When a run looks at its clusters: twenty times in a finite duration, at its ends, and around every
-/// impulse.
+/// impulse. The duration is the scene's, wherever the run ends, so that a run that was cut short and taken up
+/// again has the samples of one that was not.
 class ClusterSchedule {
  public:
   ClusterSchedule(const Scene& scene, double duration);

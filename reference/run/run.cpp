@@ -1,6 +1,8 @@
 #include "reference/run/run.hpp"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
@@ -24,6 +26,16 @@ std::uint64_t default_state_every(const Scene& scene) {
 }
 
 namespace {
+
+void require_same_run(const std::string& checkpoint, const TraceHead& head, const std::string& trace) {
+  const TraceHead other = read_trace_head(trace);
+  if (other.scene == head.scene && other.scalar == head.scalar && other.state_every == head.state_every)
+    return;
+  throw InputError({{trace, 1, "",
+                     "is the trace of another run than the checkpoint '" + checkpoint +
+                         "' (scene, scalar or state_every differ); give its own trace, or another file name "
+                         "with --resume and the trace itself"}});
+}
 
 RunSummary run_any(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
   switch (options.scalar) {
@@ -56,6 +68,7 @@ RunSummary resume_run(const std::string& path, const RunOptions& options) {
   resumed.state_every = head.state_every;
   ResumePoint point = last_state(path);
   if (is_checkpoint(path) && !options.trace.empty()) {
+    require_same_run(path, head, options.trace);
     point.from = options.trace;
     point.keep = place_behind_state(options.trace, point.state.k);
   }
@@ -63,11 +76,16 @@ RunSummary resume_run(const std::string& path, const RunOptions& options) {
     return run_any(head.scene, resumed, &point);
   } catch (const OutputError&) {
     throw;
-  } catch (const std::runtime_error& error) {
-    throw InputError({{path, 0, "", std::string("its full state does not fit its scene: ") + error.what()}});
   } catch (const std::out_of_range&) {
     throw InputError(
-        {{path, 0, "", "its full state names a particle or quantity that its scene does not have"}});
+        {{path, 0, "",
+          "its last full state names a particle, event or quantity that its scene does not have; "
+          "cut the file off before that line, or start the run again"}});
+  } catch (const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) throw;
+    throw InputError({{path, 0, "",
+                       std::string("its last full state does not fit its scene: ") + error.what() +
+                           "; cut the file off before that line, or start the run again"}});
   }
 }
 

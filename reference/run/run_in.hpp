@@ -1,6 +1,7 @@
 // run_scene for one scalar and one dimension. Included by the instantiating files only.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <limits>
@@ -25,14 +26,9 @@ class RecordedRun {
         duration_(options.until.value_or(scene.duration)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
         simulation_(scene),
-        files_(scene, options, state_every_, resume),
-        schedule_(scene, duration_) {
-    if (resume != nullptr) {
-      restore(simulation_, resume->state);
-      for (const std::vector<Hex>& data : resume->state.observations) samples_.push_back(sample_from(data));
-    } else if (files_.wants_states()) {
-      write_state_line(false);
-    }
+        files_(scene, options, state_every_, restored(resume)),
+        schedule_(scene, scene.duration) {
+    if (resume == nullptr && files_.wants_states()) write_state_line(false);
     first_event_ = simulation_.world().events;
     simulation_.world().sink = [this](const Record<Scalar, D>& record) { note(record); };
   }
@@ -41,7 +37,7 @@ class RecordedRun {
     const auto start = std::chrono::steady_clock::now();
     const EndReason reason = run_events();
     const Time<Scalar> end = end_time(reason);
-    schedule_.sample_until(simulation_.world(), after_end(end), samples_);
+    schedule_.sample_until(world(), std::min(simulation_.next_time(), after_end(end)), samples_);
     if (files_.wants_states()) write_state_line(true);
     if (files_.has_trace()) {
       files_.line("{\"end\":\"" + std::string(name(reason)) + "\",\"events\":" +
@@ -54,6 +50,14 @@ class RecordedRun {
 
  private:
   const World<Scalar, D>& world() const { return simulation_.world(); }
+
+  /// Takes up the state to go on from, before the files are touched: a state that does not fit costs nothing.
+  const ResumePoint* restored(const ResumePoint* resume) {
+    if (resume == nullptr) return nullptr;
+    restore(simulation_, resume->state);
+    for (const std::vector<Hex>& data : resume->state.observations) samples_.push_back(sample_from(data));
+    return resume;
+  }
 
   EndReason run_events() {
     const Time<Scalar> end{Scalar(duration_), Scalar(0)};
@@ -142,10 +146,10 @@ class RecordedRun {
   const RunOptions& options_;
   double duration_;
   std::uint64_t state_every_;
+  std::vector<ClusterSample> samples_;
   Simulation<Scalar, D> simulation_;
   TraceFiles files_;
   ClusterSchedule schedule_;
-  std::vector<ClusterSample> samples_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;
 };
@@ -173,6 +177,9 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   s.observes_clusters = scene_.clusters.has_value();
   if (scene_.clusters) s.cluster_species = scene_.species[world().index(scene_.clusters->species)].name;
   s.clusters = samples_;
+  if (scene_.clusters && (samples_.empty() || samples_.back().t < s.t)) {
+    s.clusters.push_back(sample_clusters(world(), ClusterMoment{s.t, false, "end", {}}));
+  }
   summarise_groups(s, end);
   s.noise = world().statistics.noise;
   s.zero_impulse = world().statistics.zero_impulse;

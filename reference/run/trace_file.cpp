@@ -143,10 +143,13 @@ StateData last_state_until(const std::string& path, std::optional<double> until)
 
 std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
   Lines lines(path);
+  std::uint64_t start = 0;
   while (lines.next()) {
-    if (!lines.text.starts_with(kStateStart)) continue;
-    const StateData state = state_of(path, lines);
-    if (state.k == k && !state.final) return lines.end;
+    if (lines.text.starts_with(kStateStart)) {
+      const StateData state = state_of(path, lines);
+      if (state.k == k) return state.final ? start : lines.end;
+    }
+    start = lines.end;
   }
   fail(path, 0,
        "holds no full state after event " + std::to_string(k) +
@@ -166,14 +169,14 @@ TraceFiles::TraceFiles(const Scene& scene, const RunOptions& options, std::uint6
   std::error_code ignored;
   if (!std::filesystem::equivalent(resume->from, options.trace, ignored)) {
     std::ifstream from(resume->from, std::ios::binary);
-    Output copy(options.trace);
+    trace_ = std::make_unique<Output>(options.trace);
     std::string block(1U << 16U, '\0');
     for (std::uint64_t left = resume->keep; left > 0 && from;) {
       from.read(block.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, block.size())));
-      copy.write(std::string_view(block).substr(0, static_cast<std::size_t>(from.gcount())));
+      trace_->write(std::string_view(block).substr(0, static_cast<std::size_t>(from.gcount())));
       left -= static_cast<std::uint64_t>(from.gcount());
     }
-    copy.close();
+    return;
   }
   trace_ = std::make_unique<Output>(options.trace, resume->keep);
 }
@@ -185,7 +188,9 @@ void TraceFiles::line(std::string_view text) {
 
 void TraceFiles::state(const std::string& text) {
   if (trace_) line(text);
-  if (!checkpoint_.empty()) replace_file(checkpoint_, checkpoint_head_ + text + "\n");
+  if (checkpoint_.empty()) return;
+  if (trace_) trace_->flush();  // a checkpoint is never ahead of its trace
+  replace_file(checkpoint_, checkpoint_head_ + text + "\n");
 }
 
 void TraceFiles::flush() {

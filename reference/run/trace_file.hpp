@@ -33,7 +33,8 @@ StateData last_state_until(const std::string& path, std::optional<double> until)
 /// Whether a file is a checkpoint; otherwise it should be a trace. Throws InputError when it cannot be read.
 bool is_checkpoint(const std::string& path);
 
-/// The place in a trace behind the full state with number k. Throws InputError if it holds no such state.
+/// The place in a trace behind the full state with number k, or before it where that is a final one. Throws
+/// InputError if it holds no such state.
 std::uint64_t place_behind_state(const std::string& path, std::uint64_t k);
 
 /// Writes what a run reports to whichever of the two files its options ask for.

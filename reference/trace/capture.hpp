@@ -2,6 +2,7 @@
 // everything that its summary has counted, so that a resumed run cannot be told from one that never stopped.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -35,15 +36,24 @@ Scalar number_from(const Hex& text) {
 }
 
 template <typename Scalar>
+Scalar finite_from(const Hex& text) {
+  using std::abs;
+  const Scalar value = number_from<Scalar>(text);
+  if (abs(value) == std::numeric_limits<Scalar>::infinity())
+    throw std::runtime_error("'" + text + "' stands where only a finite number can");
+  return value;
+}
+
+template <typename Scalar>
 Time<Scalar> time_from(const HexTime& data) {
-  return {number_from<Scalar>(data[0]), number_from<Scalar>(data[1])};
+  return {finite_from<Scalar>(data[0]), finite_from<Scalar>(data[1])};
 }
 
 template <typename Scalar, int D>
 Vector<Scalar, D> vector_from(const HexVector& data) {
   if (data.size() != static_cast<std::size_t>(D)) throw std::runtime_error("a vector has the wrong length");
   Vector<Scalar, D> v;
-  for (int k = 0; k < D; ++k) v[k] = number_from<Scalar>(data[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < D; ++k) v[k] = finite_from<Scalar>(data[static_cast<std::size_t>(k)]);
   return v;
 }
 
@@ -118,9 +128,13 @@ void restore_group(GroupForest<Scalar, D>& forest, const StateData::Group& data,
                    const std::unordered_map<std::int32_t, int>& index_of) {
   using Node = GroupNode<Scalar, D>;
   GroupBody<Scalar, D> body;
-  for (const std::int32_t id : data.members) body.members.push_back(index_of.at(id));
+  for (const std::int32_t id : data.members) {
+    body.members.push_back(index_of.at(id));
+    if (forest.body(body.members.back()) != nullptr)
+      throw std::runtime_error("particle " + std::to_string(id) + " is in two groups");
+  }
   body.mass = number_from<Scalar>(data.mass);
-  body.expiry = time_from<Scalar>(data.expiry);
+  body.expiry = {number_from<Scalar>(data.expiry[0]), finite_from<Scalar>(data.expiry[1])};  // may be never
   body.birth = time_from<Scalar>(data.birth);
   std::vector<int> roots(data.nodes.size(), -1);
   for (std::size_t n = data.nodes.size(); n-- > 0;) {
@@ -143,6 +157,8 @@ void restore_group(GroupForest<Scalar, D>& forest, const StateData::Group& data,
     }
     roots[n] = forest.join(node, body).root;
   }
+  if (roots.empty() || forest.members_of(roots.front()) != body.members)
+    throw std::runtime_error("a group's members are not those of its nodes");
 }
 
 }  // namespace detail

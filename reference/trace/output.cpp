@@ -14,8 +14,7 @@ constexpr std::size_t kBufferSize = 1U << 16U;
 
 std::string message(const std::string& path, const char* action) {
   const std::string name = path == "-" ? "standard output" : "'" + path + "'";
-  return name + ": cannot " + action + ": " + std::strerror(errno) +
-         "; what was written before is complete lines";
+  return name + ": cannot " + action + ": " + std::strerror(errno);
 }
 
 }  // namespace
@@ -54,7 +53,7 @@ void Output::flush() {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       buffer_.clear();
-      fail("write");
+      fail("write everything");
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }

@@ -32,6 +32,13 @@ struct RunArguments {
   RunOptions options;
 };
 
+/// CLI11's own ranges let "nan" through, with which a run would have no end.
+std::string not_before_start(std::string& text) {
+  double time = 0;
+  if (CLI::detail::lexical_cast(text, time) && time >= 0) return {};
+  return "'" + text + "' is not a time; allowed are numbers from 0, and inf";
+}
+
 RunSummary simulate(RunArguments& a) {
   if (a.resume.empty()) return run_scene(read_scene_file(a.scene), a.options);
   if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
@@ -55,7 +62,10 @@ int run(RunArguments& a) {
   } else {
     write_result("-", text);
   }
-  if (summary.end == "stalled") return kStalled;
+  if (summary.end == "stalled") {
+    fmt::print(stderr, "tps: the run stalled: {}\n", stall_message(summary));
+    return kStalled;
+  }
   return summary.end == "interrupted" ? kInterrupted : kDone;
 }
 
@@ -75,8 +85,9 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"all-pairs"}))
       ->capture_default_str();
   verb->add_option("--until", a->options.until, "End at this time instead of the scene's duration")
+      ->check(CLI::Validator(not_before_start, "TIME"));
+  verb->add_option("--max-events", a->options.max_events, "End after this many events")
       ->check(CLI::NonNegativeNumber);
-  verb->add_option("--max-events", a->options.max_events, "End after this many events");
   verb->add_option(
           "--state-every", a->options.state_every,
           "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")

@@ -77,6 +77,15 @@ void write_final(Text out, const RunSummary& s) {
 
 }  // namespace
 
+std::string stall_message(const RunSummary& s) {
+  return fmt::format(
+      "the clock stood still at t = {:.9g} over the last events, between particles {}. An inelastic "
+      "collapse, or "
+      "its finite number of collisions is beyond this scalar: give the scene \"grouping\" with a small "
+      "\"dt_restitute\", or run with a wider --scalar.",
+      s.t, fmt::join(s.stalled_on, ", "));
+}
+
 std::string summary_text(const RunSummary& s) {
   std::string text;
   const Text out = std::back_inserter(text);
@@ -92,15 +101,7 @@ std::string summary_text(const RunSummary& s) {
   if (s.grouping) write_groups(out, s);
   if (s.observes_clusters) write_clusters(out, s);
   write_final(out, s);
-  if (!s.stalled_on.empty()) {
-    fmt::format_to(
-        out,
-        "stalled    the clock stood still over the last events, between particles {}.\n"
-        "           An inelastic collapse, or its finite number of collisions is beyond this scalar: give "
-        "the "
-        "scene\n           \"grouping\" with a small \"dt_restitute\", or run with a wider --scalar.\n",
-        fmt::join(s.stalled_on, ", "));
-  }
+  if (!s.stalled_on.empty()) fmt::format_to(out, "stalled    {}\n", stall_message(s));
   return text;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 #include <tuple>
 
 #include "reference/engine/effect.hpp"
@@ -43,6 +45,7 @@ class Phases final : public Effect<Scalar, D> {
 
   std::uint64_t progress() const override { return done_; }
   void resume(World<Scalar, D>& world, std::uint64_t progress) override {
+    if (progress > changes_.size()) throw std::out_of_range("more phase changes than the scene has");
     while (done_ < progress) apply_next(world);
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <tuple>
 
 #include "reference/engine/effect.hpp"
@@ -40,7 +41,10 @@ class ScheduledImpulses final : public Effect<Scalar, D> {
   }
 
   std::uint64_t progress() const override { return done_; }
-  void resume(World<Scalar, D>&, std::uint64_t progress) override { done_ = progress; }
+  void resume(World<Scalar, D>&, std::uint64_t progress) override {
+    if (progress > impulses_.size()) throw std::out_of_range("more impulses than the scene has");
+    done_ = progress;
+  }
 
  private:
   /// One impulse is queued at a time, in the order (time, particle), and no change of a particle voids it.

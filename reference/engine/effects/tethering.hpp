@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/response.hpp"
@@ -24,9 +25,12 @@ class Tethering final : public Effect<Scalar, D> {
     const auto& tethering = *world.law(pair.i, pair.j).tethering;
     const CollisionTime<Scalar> next =
         tether_time<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, tethering.distance);
-    // A pair that has just been pulled can only come back by way of the inside.
-    const bool may_be_at_limit = !world.responded.contains(pair.i, pair.j, Limit::outer);
-    return may_be_at_limit || next.verdict == TimingVerdict::hit ? next.t : std::nullopt;
+    if (!world.responded.contains(pair.i, pair.j, Limit::outer)) return next.t;
+    // A pair that has just been pulled can only come back by way of the inside. Where rounding left it so far
+    // outside that its path misses the inside, it is taken to be where real arithmetic has it, at the limit
+    // (c = 0: t = −2h/a, twice the time to the turning point); else it would never be pulled again.
+    if (next.verdict == TimingVerdict::turning) return Scalar(2) * *next.t;
+    return next.verdict == TimingVerdict::hit ? next.t : std::nullopt;
   }
 
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
@@ -36,28 +40,43 @@ class Tethering final : public Effect<Scalar, D> {
     Record<Scalar, D> record = world.open_record("retract", i, j);
     Collision<Scalar, D> collision = collision_now(world, i, j, Limit::outer);
     observe_collision(world, collision, law.distance);
-    const bool separating = collision.frame.v_n >= Scalar(0);
+    const std::optional<TetherResponse<Scalar, D>> pulled = response_of(collision, law);
     Scalar loss(0);
-    if (separating) {
-      const TetherResponse<Scalar, D> pulled =
-          tether_response<Scalar, D>(collision.frame, collision.mass_i, collision.mass_j, law.c_retract,
-                                     law.c_revolve, law.theta_revolve_deg);
-      collision.dp = pulled.dp;
-      loss = energy_lost(collision, law, pulled.kind);
-      if (pulled.kind == TetherResponseKind::revolve) record.kind = "revolve";
+    if (pulled) {
+      collision.dp = pulled->dp;
+      loss = energy_lost(collision, law, pulled->kind);
+      if (pulled->kind == TetherResponseKind::revolve) record.kind = "revolve";
     }
     if (breaks(world, law, collision, record)) {
       record.kind = "break";
       record.tether = TetherChange::broken;
       world.tethers.remove(i, j);
     } else {
-      answer(world, collision, separating, loss, record);
+      answer(world, collision, pulled.has_value(), loss, record);
     }
     world.close_record(record);
   }
 
  private:
   using TetheringOfPair = typename Law<Scalar>::Tethering;
+
+  /// The response of a collision; nothing (Δp = 0) where there is no tangential motion and v_n has the wrong
+  /// sign.
+  ///
+  /// Real arithmetic has v_n ≥ 0 here. v_n < 0 is the rounding of a perpendicular pair, which eq. (5) answers
+  /// whatever the sign of v_n. With Δp = 0 instead, such a pair stalls (at c = 0 its next `hit` is so near
+  /// that no coordinate moves) or, where its path misses the inside, is never pulled again and leaves.
+  static std::optional<TetherResponse<Scalar, D>> response_of(const Collision<Scalar, D>& c,
+                                                              const TetheringOfPair& law) {
+    if (c.frame.v_n >= Scalar(0)) {
+      return tether_response<Scalar, D>(c.frame, c.mass_i, c.mass_j, law.c_retract, law.c_revolve,
+                                        law.theta_revolve_deg);
+    }
+    if ((c.frame.v_w.array() == Scalar(0)).all()) return std::nullopt;
+    return TetherResponse<Scalar, D>{
+        TetherResponseKind::revolve,
+        revolution_impulse<Scalar, D>(c.frame, c.mass_i, c.mass_j, law.c_revolve, law.theta_revolve_deg)};
+  }
 
   /// By eq. (4): ½ μ (1 − c²) v_n²; by eq. (5): ½ μ (1 − c^(2θ/π)) |v_AB|².
   static Scalar energy_lost(const Collision<Scalar, D>& c, const TetheringOfPair& law,

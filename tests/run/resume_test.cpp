@@ -1,0 +1,257 @@
+// A run that was cut short anywhere goes on to the same bytes (issue: "killed at any moment").
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include "reference/run/trace_file.hpp"
+#include "reference/scene/builders/terminal.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/trace/output.hpp"
+#include "tests/run/traced_run.hpp"
+
+namespace tps {
+namespace {
+
+using testing::add_particle;
+using testing::block;
+using testing::options_for;
+using testing::read_bytes;
+using testing::scratch;
+using testing::write_bytes;
+
+/// The terminal in small: groups, tethers by draw that also break, phases, impulses, observed clusters.
+Scene busy_scene() {
+  TerminalParams params;
+  params.vesicles = 8;
+  params.pairs = 16;
+  params.membrane_radius = 12;
+  params.form_probability = .6;
+  params.break_probability = .3;
+  params.grouped = .01;
+  params.impact_at = .5;
+  params.duration = 3;
+  Scene scene = build_terminal(params);
+  const auto rules = std::find_if(scene.pairs.begin(), scene.pairs.end(), [](const PairLaw& law) {
+    return law.tethering && law.tethering->form.when == FormRule::When::probability;
+  });
+  scene.phases = {{.from = .25,
+                   .until = .75,
+                   .species_a = rules->species_a,
+                   .species_b = rules->species_b,
+                   .form = FormRule{.when = FormRule::When::never},
+                   .breaks = {}},
+                  {.from = .5,
+                   .until = 2,
+                   .species_a = rules->species_a,
+                   .species_b = rules->species_b,
+                   .form = {},
+                   .breaks = BreakRule{.when = BreakRule::When::always}}};
+  return scene;
+}
+
+/// A ball too heavy to notice the light ones that bounce between it and the walls: its velocity never
+/// changes, so that what it has responded to is kept from event to event.
+Scene heavy_scene() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Scene scene = testing::plain_scene();
+  const int heavy = testing::add_species(scene, "heavy", 1e20, .5);
+  const int wall = testing::add_species(scene, "wall", kInfinity, .5);
+  block(scene, 0, heavy);
+  block(scene, 0, wall);
+  add_particle(scene, heavy, {0, 0, 0}, {.001, 0, 0});
+  add_particle(scene, wall, {4, 0, 0});
+  add_particle(scene, wall, {-4, 0, 0});
+  add_particle(scene, wall, {0, 4, 0});
+  add_particle(scene, 0, {0, 2, 0}, {0, 1.75, 0});
+  add_particle(scene, 0, {2, 0, 0}, {1, 0, 0});
+  add_particle(scene, 0, {-2, 0, 0}, {1.375, 0, 0});
+  return scene;
+}
+
+RunOptions with_states(const std::string& scalar, std::uint64_t max_events, std::uint64_t state_every = 7) {
+  RunOptions options = options_for(scalar, max_events);
+  options.state_every = state_every;
+  return options;
+}
+
+struct Whole {
+  Scene scene;
+  std::string scalar;
+  std::uint64_t events;
+};
+
+std::string whole_trace(const Whole& w) {
+  RunOptions options = with_states(w.scalar, w.events);
+  options.trace = scratch("whole.ndjson");
+  run_scene(w.scene, options);
+  return read_bytes(options.trace);
+}
+
+std::vector<Whole> cases() {
+  return {{busy_scene(), "double", 400},
+          {busy_scene(), "float", 200},
+          {busy_scene(), "mp50", 60},
+          {heavy_scene(), "double", 200}};
+}
+
+TEST(Resume, AfterAnyNumberOfEventsGivesTheSameBytes) {
+  for (const Whole& w : cases()) {
+    const std::string whole = whole_trace(w);
+    const std::uint64_t step = w.events / 20;
+    for (std::uint64_t cut = 0; cut < w.events; cut += step + 1) {
+      RunOptions options = with_states(w.scalar, cut);
+      options.trace = scratch("cut.ndjson");
+      run_scene(w.scene, options);
+      RunOptions on = with_states(w.scalar, w.events);
+      on.trace = options.trace;
+      if (cut % 2 == 0) {  // to another file; the first one stays what it was
+        const std::string before = read_bytes(options.trace);
+        on.trace = scratch("other.ndjson");
+        resume_run(options.trace, on);
+        EXPECT_EQ(read_bytes(options.trace), before);
+      } else {
+        resume_run(options.trace, on);
+      }
+      ASSERT_EQ(read_bytes(on.trace), whole) << w.scalar << " cut after " << cut;
+    }
+  }
+}
+
+TEST(Resume, FromACheckpointGivesTheSameBytes) {
+  for (const Whole& w : cases()) {
+    const std::string whole = whole_trace(w);
+    for (const std::uint64_t cut : {std::uint64_t{3}, std::uint64_t{7}, w.events / 2, w.events - 1}) {
+      RunOptions options = with_states(w.scalar, cut);
+      options.trace = scratch("cut.ndjson");
+      options.checkpoint = scratch("checkpoint.json");
+      run_scene(w.scene, options);
+      RunOptions on = with_states(w.scalar, w.events);
+      on.trace = options.trace;
+      resume_run(options.checkpoint, on);
+      ASSERT_EQ(read_bytes(on.trace), whole) << w.scalar << " cut after " << cut;
+    }
+  }
+}
+
+TEST(Resume, AfterAnEndByTimeGivesTheSameBytes) {
+  Scene scene = busy_scene();
+  RunOptions options = with_states("double", std::numeric_limits<std::uint64_t>::max());
+  options.trace = scratch("whole.ndjson");
+  run_scene(scene, options);
+  const std::string whole = read_bytes(options.trace);
+  for (const double until : {0., .3, .5, 1.7}) {
+    options.until = until;
+    options.trace = scratch("cut.ndjson");
+    run_scene(scene, options);
+    RunOptions on = options;
+    on.until.reset();
+    resume_run(options.trace, on);
+    EXPECT_EQ(read_bytes(options.trace), whole) << until;
+  }
+}
+
+TEST(Resume, ACheckpointOfAnotherRunIsRefused) {
+  RunOptions options = with_states("double", 20);
+  options.trace = scratch("a.ndjson");
+  run_scene(heavy_scene(), options);
+  RunOptions other = with_states("double", 20);
+  other.checkpoint = scratch("b.json");
+  Scene scene = heavy_scene();
+  scene.particles[4].velocity[0] = .5;
+  run_scene(scene, other);
+  const std::string before = read_bytes(options.trace);
+  EXPECT_THROW(resume_run(other.checkpoint, options), InputError);
+  EXPECT_EQ(read_bytes(options.trace), before);
+}
+
+TEST(Resume, AFileCutOffAtAnyByteGoesOnOrSaysThatItHoldsNoState) {
+  const Whole w{heavy_scene(), "double", 40};
+  const std::string whole = whole_trace(w);
+  const std::size_t first_state_end = whole.find('\n', whole.find("\n{\"state\":0") + 1) + 1;
+  std::vector<std::size_t> cuts = {0,
+                                   1,
+                                   whole.find('\n'),
+                                   whole.find('\n') + 1,
+                                   first_state_end - 1,
+                                   first_state_end,
+                                   whole.size() - 1,
+                                   whole.size()};
+  for (std::size_t cut = 97; cut < whole.size(); cut += 997) cuts.push_back(cut);
+  for (const std::size_t cut : cuts) {
+    RunOptions on = with_states("double", w.events);
+    on.trace = scratch("cut.ndjson");
+    write_bytes(on.trace, whole.substr(0, cut));
+    if (cut < first_state_end) {
+      EXPECT_THROW(resume_run(on.trace, on), InputError) << cut;
+      EXPECT_EQ(read_bytes(on.trace), whole.substr(0, cut));
+    } else {
+      resume_run(on.trace, on);
+      ASSERT_EQ(read_bytes(on.trace), whole) << cut;
+    }
+  }
+}
+
+/// The trace of `w` with its last full state changed, resumed for a few events: an answer or an InputError.
+bool resumes(const std::string& bytes, std::uint64_t events) {
+  RunOptions on = with_states("double", events);
+  on.trace = scratch("changed.ndjson");
+  write_bytes(on.trace, bytes);
+  try {
+    resume_run(on.trace, on);
+    return true;
+  } catch (const InputError&) {
+    EXPECT_EQ(read_bytes(on.trace), bytes) << "a state that is refused costs the file nothing";
+    return false;
+  }
+}
+
+TEST(Resume, ADamagedStateIsRefusedOrRunsButNeverCrashes) {
+  const Whole w{busy_scene(), "double", 60};
+  const std::string whole = whole_trace(w);
+  const std::size_t start = whole.rfind("\n{\"state\":") + 1;
+  const std::size_t end = whole.find('\n', start);
+  std::mt19937 random(7);
+  int refused = 0;
+  constexpr int kTries = 300;
+  for (int n = 0; n < kTries; ++n) {
+    std::string bytes = whole;
+    const std::size_t at = start + 10 + random() % (end - start - 10);
+    if (n % 3 == 0) {
+      bytes.erase(at, 1 + random() % 40);
+    } else {
+      bytes[at] = "0123456789abcdef\"[]{},:-+.pxn"[random() % 29];
+    }
+    refused += resumes(bytes, 80) ? 0 : 1;
+  }
+  EXPECT_GT(refused, kTries / 4);
+  EXPECT_LT(refused, kTries);
+}
+
+TEST(Resume, NamesWhatDoesNotFit) {
+  const Whole w{busy_scene(), "double", 60};
+  const std::string whole = whole_trace(w);
+  const std::size_t start = whole.rfind("\n{\"state\":") + 1;
+  const auto with = [&](const std::string& old_text, const std::string& new_text) {
+    std::string bytes = whole;
+    const std::size_t at = bytes.find(old_text, start);
+    EXPECT_NE(at, std::string::npos) << old_text;
+    if (at == std::string::npos) return bytes;
+    return bytes.replace(at, old_text.size(), new_text);
+  };
+  EXPECT_TRUE(resumes(whole, 80));
+  for (const char* effect : {"phases", "scheduled_impulses"}) {
+    std::string bytes = whole;
+    const std::size_t at = bytes.find("\"progress\":{", start) + 12;
+    bytes.replace(at, bytes.find('}', at) - at, std::string("\"") + effect + "\":99");
+    EXPECT_FALSE(resumes(bytes, 80)) << effect;
+  }
+  EXPECT_FALSE(resumes(with("\"position\":[\"", "\"position\":[\"inf\",\""), 80));
+  EXPECT_FALSE(resumes(with("\"observations\":[[\"", "\"observations\":[[\"x\",\"y\",\""), 80));
+  EXPECT_FALSE(resumes(with("\"id\":3,", "\"id\":-77,"), 80));
+  EXPECT_FALSE(resumes(with("\"now\":[\"", "\"now\":[\"nan"), 80));
+}
+
+}  // namespace
+}  // namespace tps
