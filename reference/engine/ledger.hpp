@@ -59,13 +59,13 @@ struct Ledger {
     for (int k = 0; k < D; ++k) from_outside[static_cast<std::size_t>(k)] += impulse[k];
   }
 
-  /// Adds what rounding may have done to a particle of mass m whose speed an event changed: each velocity is
-  /// computed with a relative error of at most kRoundings u, u = ε/2 (the derivation counts them,
-  /// docs/ledger.md).
-  void add_rounding(const Scalar& mass, const Scalar& speed) {
-    const Scalar share = Scalar(kRoundings / 2) * std::numeric_limits<Scalar>::epsilon() * mass * speed;
+  /// Adds what rounding may have done at one event to a particle of mass m, whose speeds before and after add
+  /// up to s: 64 u m s to a momentum and 64 u m s² to an energy, u = ε/2. docs/ledger.md counts the
+  /// roundings.
+  void add_rounding(const Scalar& mass, const Scalar& speeds) {
+    const Scalar share = Scalar(kRoundings / 2) * std::numeric_limits<Scalar>::epsilon() * mass * speeds;
     momentum_bound += share;
-    energy_bound += share * speed;
+    energy_bound += share * speeds;
   }
 
   static constexpr int kRoundings = 64;

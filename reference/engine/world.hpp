@@ -158,12 +158,10 @@ void World<Scalar, D>::bring(int i) {
 template <typename Scalar, int D>
 void World<Scalar, D>::set_velocity(int i, const Vec& velocity) {
   if (fixed(i)) return;
+  using std::sqrt;
   Vec& stored = particles[index(i)].velocity;
-  if (stored != velocity) {
-    using std::sqrt;
-    ledger.add_rounding(mass(i), Scalar(sqrt(stored.squaredNorm()) + sqrt(velocity.squaredNorm())));
-    responded.forget(i);
-  }
+  ledger.add_rounding(mass(i), Scalar(sqrt(stored.squaredNorm()) + sqrt(velocity.squaredNorm())));
+  if (stored != velocity) responded.forget(i);
   stored = velocity;
 }
 

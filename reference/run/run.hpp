@@ -43,12 +43,14 @@ struct RunOptions {
 std::uint64_t default_state_every(const Scene& scene);
 
 /// Clusters at one moment: connected components of tethers with at least so many particles of a species.
+/// Sizes are of all of them; extent and speeds are of one: the largest or, around an impulse, the one that
+/// holds the particle pushed.
 struct ClusterSample {
   double t = 0;            ///< since the start
-  std::string occasion;    ///< "sample", "before impulse", "after impulse"
+  std::string occasion;    ///< "sample", or "before impulse", "after impulse", "later" with the particle's id
   std::vector<int> sizes;  ///< particles of the observed species, descending
-  double extent =
-      0;  ///< of the largest cluster: root mean square distance of its particles from their centre
+  int described = 0;       ///< size of the cluster that the rest is about; 0: none
+  double extent = 0;       ///< root mean square distance of its particles from their centre
   double relative_speed = 0;  ///< root mean square velocity of its particles relative to their centre's
   double centre_speed = 0;    ///< of its centre of mass
 };

@@ -107,7 +107,11 @@ class RecordedRun {
   }
 
   static std::vector<Hex> sample_data(const ClusterSample& s) {
-    std::vector<Hex> data = {s.occasion, to_hex(s.t), to_hex(s.extent), to_hex(s.relative_speed),
+    std::vector<Hex> data = {s.occasion,
+                             to_hex(s.t),
+                             std::to_string(s.described),
+                             to_hex(s.extent),
+                             to_hex(s.relative_speed),
                              to_hex(s.centre_speed)};
     for (const int size : s.sizes) data.push_back(std::to_string(size));
     return data;
@@ -117,10 +121,11 @@ class RecordedRun {
     ClusterSample s;
     s.occasion = data.at(0);
     s.t = number_from<double>(data.at(1));
-    s.extent = number_from<double>(data.at(2));
-    s.relative_speed = number_from<double>(data.at(3));
-    s.centre_speed = number_from<double>(data.at(4));
-    for (std::size_t n = 5; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
+    s.described = std::stoi(data.at(2));
+    s.extent = number_from<double>(data.at(3));
+    s.relative_speed = number_from<double>(data.at(4));
+    s.centre_speed = number_from<double>(data.at(5));
+    for (std::size_t n = 6; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
     return s;
   }
 

@@ -29,7 +29,7 @@ bool starts_like_a_scene(const std::string& path) {
 Snapshot of_scene(Scene scene) {
   Snapshot snapshot;
   for (const Particle& p : scene.particles) snapshot.positions.push_back(p.position);
-  for (const Tether& tether : scene.tethers) snapshot.tethers.emplace_back(tether.i, tether.j);
+  snapshot.tethers = scene.tethers;
   snapshot.scene = std::move(scene);
   return snapshot;
 }
@@ -56,7 +56,7 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
       }
     }
     for (const auto& [first, second] : state.tethers) {
-      snapshot.tethers.emplace_back(index_of.at(first), index_of.at(second));
+      snapshot.tethers.push_back({index_of.at(first), index_of.at(second)});
     }
   } catch (const std::out_of_range&) {
     throw InputError({{path, 0, "", "its full state does not fit its scene"}});

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
@@ -15,7 +14,7 @@ struct Snapshot {
   Scene scene;
   double t = 0;                                  ///< since the start
   std::vector<std::array<double, 3>> positions;  ///< of Scene::particles, in their order
-  std::vector<std::pair<int, int>> tethers;      ///< that exist at t, permanent ones not among them
+  std::vector<Tether> tethers;                   ///< that exist at t, permanent ones not among them
 };
 
 /// The last full state of a trace or checkpoint whose time since the start is at most `at` (the last of all

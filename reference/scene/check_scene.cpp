@@ -76,7 +76,8 @@ void check_pair(const Scene& scene, const PairLaw& law, const std::string& point
   }
   // Semantics §3: with a smaller gap the pair bounces between its two limits without progress of the clock.
   const double smallest_gap = 1e-9 * law.tethering->distance;
-  if (law.blocking && !(law.tethering->distance - law.blocking->distance > smallest_gap)) {
+  if (law.blocking && is_limit(law.blocking->distance) &&
+      !(law.tethering->distance - law.blocking->distance > smallest_gap)) {
     source.report(
         place + "/distance",
         fmt::format("tethering distance {}, blocking distance {}; the tethering distance must exceed the "
@@ -219,6 +220,7 @@ void check_tethers(const Scene& scene, SceneSource& source) {
 }  // namespace
 
 void check_scene(const Scene& scene, SceneSource& source) {
+  if (source.full()) return;
   if (source.sound({"species", "pairs"})) {
     for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
       check_pair(scene, scene.pairs[k], fmt::format("/pairs/{}", k), source);

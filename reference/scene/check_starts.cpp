@@ -24,6 +24,7 @@ double largest_coordinate(const Coordinates& a, const Coordinates& b) {
 }
 
 double ulp(double value) {
+  if (value == 0) return std::numeric_limits<double>::denorm_min();
   int exponent = 0;
   std::frexp(value, &exponent);  // value = f 2^exponent, f in [1/2, 1)
   return std::ldexp(1.0, std::max(exponent - 53, -1074));
@@ -44,12 +45,12 @@ StartVerdict exact_verdict(const Coordinates& a, const Coordinates& b, double li
 
 // Squares below this may have lost bits to underflow.
 constexpr double safe_square = 0x1p-900;
-// Each rounding of a difference, square or sum is at most 2^-53 of its result, so that a computed square of a
-// distance, or of a limit, is within 2^-50 of its value. The allowance adds at most 4 ulp of a coordinate,
-// which is not small against a distance far from the origin, and is therefore added to the limit itself.
+// A computed difference, square, sum or shifted limit is within 2^-53 of itself of the true one, unless it
+// underflows. The squared distance collects four such errors (the difference counts twice), the squared limit
+// three: together less than 2^-50, so that a gap of 2^-48 between the two is real.
 constexpr double rounding = 0x1p-48;
 
-// Index pairs of a law, for messages: what a pair that violates a limit did.
+// What a start is measured against.
 struct Limit {
   std::string_view name;
   StartVerdict violation;
@@ -153,10 +154,10 @@ class Starts {
     source_.report(
         fmt::format("/particles/{}/position", source_.particle_entries[std::max(i, j)]),
         fmt::format(
-            "particles {} and {} start {} apart; their {} distance is {}, and {} than that by more than "
-            "4 ulp of the largest coordinate ({}) is no start: move one of them",
-            a.id, b.id, write_shortest(distance), limit.name, write_shortest(limit.distance),
-            nearer ? "nearer" : "farther", write_shortest(start_allowance(a.position, b.position))));
+            "particles {} and {} start {} apart, {} than their {} distance {} by more than 4 ulp of the "
+            "largest coordinate ({}); move one of them",
+            a.id, b.id, write_shortest(distance), nearer ? "nearer" : "farther", limit.name,
+            write_shortest(limit.distance), write_shortest(start_allowance(a.position, b.position))));
   }
 
   const Scene& scene_;

@@ -15,15 +15,15 @@ std::vector<InputProblem> sorted_by_line(std::vector<InputProblem> problems) {
 }
 
 // REQUIRES sorted problems.
-std::string format_all(const std::vector<InputProblem>& problems, std::size_t not_kept) {
+std::string format_all(const std::vector<InputProblem>& problems, bool all) {
   std::string text;
   const std::size_t shown = std::min(problems.size(), InputError::max_shown);
   for (std::size_t k = 0; k < shown; ++k) {
     if (k > 0) text += '\n';
     text += format_problem(problems[k]);
   }
-  const std::size_t more = problems.size() - shown + not_kept;
-  if (more > 0) text += fmt::format("\n… and {} more", more);
+  const std::size_t more = problems.size() - shown;
+  if (more > 0) text += fmt::format("\n… and {}{} more", all ? "" : "at least ", more);
   return text;
 }
 
@@ -37,15 +37,12 @@ std::string format_problem(const InputProblem& problem) {
   return text + problem.message;
 }
 
-InputError::InputError(std::vector<InputProblem> problems, std::size_t not_kept)
-    : std::runtime_error(format_all(sorted_by_line(problems), not_kept)),
+InputError::InputError(std::vector<InputProblem> problems, bool all)
+    : std::runtime_error(format_all(sorted_by_line(problems), all)),
       problems_(sorted_by_line(std::move(problems))) {}
 
 void InputProblems::add(std::size_t line, std::string pointer, std::string message) {
-  if (full()) {
-    ++not_kept_;
-    return;
-  }
+  if (full()) return;
   problems_.push_back({file_, line, std::move(pointer), std::move(message)});
 }
 
@@ -55,12 +52,13 @@ void InputProblems::add(const InputProblem& problem) {
 
 bool InputProblems::touches(const std::string& pointer) const {
   return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
-    return problem.pointer == pointer || problem.pointer.starts_with(pointer + "/");
+    return problem.pointer.starts_with(pointer) &&
+           (problem.pointer.size() == pointer.size() || problem.pointer[pointer.size()] == '/');
   });
 }
 
 void InputProblems::throw_if_any() const {
-  if (!empty()) throw InputError(problems_, not_kept_);
+  if (!empty()) throw InputError(problems_, !full());
 }
 
 }  // namespace tps

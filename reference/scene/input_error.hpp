@@ -27,8 +27,8 @@ class InputError : public std::runtime_error {
  public:
   static constexpr std::size_t max_shown = 100;
 
-  /// REQUIRES at least one problem. `not_kept` counts problems that were found and not kept.
-  explicit InputError(std::vector<InputProblem> problems, std::size_t not_kept = 0);
+  /// REQUIRES at least one problem. `all`: whether these are all that there are.
+  explicit InputError(std::vector<InputProblem> problems, bool all = true);
 
   /// Sorted by line; problems of one line in the order in which they were found.
   const std::vector<InputProblem>& problems() const { return problems_; }
@@ -37,14 +37,15 @@ class InputError : public std::runtime_error {
   std::vector<InputProblem> problems_;
 };
 
-/// Collects the problems of one file. Keeps the first `max_kept` and counts the others, so that a file with
-/// a million errors costs neither memory nor patience.
+/// Collects the problems of one file, `max_kept` at most: whoever looks for problems stops where it is full,
+/// so that a file with a million errors costs neither memory nor patience.
 class InputProblems {
  public:
   static constexpr std::size_t max_kept = 1000;
 
   explicit InputProblems(std::string file) : file_(std::move(file)) {}
 
+  /// Does nothing where it is full.
   void add(std::size_t line, std::string pointer, std::string message);
   void add(const InputProblem& problem);
 
@@ -62,7 +63,6 @@ class InputProblems {
  private:
   std::string file_;
   std::vector<InputProblem> problems_;
-  std::size_t not_kept_ = 0;
 };
 
 }  // namespace tps

@@ -86,6 +86,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonMember member;
     member.key = std::move(name);
     member.key_line = line();
+    awaits_value_ = true;
     std::get<JsonValue::Object>(open_.back().data).push_back(std::move(member));
     return true;
   }
@@ -139,6 +140,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       return fail(fmt::format("more than {} values, the most that is read", limits_.max_values));
     }
     open_.push_back(make(std::move(container)));
+    awaits_value_ = false;
     return true;
   }
   bool close() {
@@ -150,6 +152,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   // Puts a finished value where it belongs: into the innermost open container.
   void place(JsonValue value) {
+    awaits_value_ = false;
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (auto* array = std::get_if<JsonValue::Array>(&open_.back().data)) {
@@ -186,7 +189,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool fail(std::string message) {
-    problems_.add(line(), pointer(open_.size()), std::move(message));
+    // Between two members of an object the place is the object, not the member that is behind us.
+    const bool between_members = !open_.empty() && open_.back().object() != nullptr && !awaits_value_;
+    problems_.add(line(), pointer(open_.size() - (between_members ? 1 : 0)), std::move(message));
     return false;
   }
 
@@ -197,6 +202,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     };
     const auto last = static_cast<std::size_t>(progress_.at - progress_.begin);
     std::size_t begin = last > 0 ? last - 1 : 0;
+    // The parser reads one byte more than a number to see that it ends.
+    if (begin > 0 && !in_word(text_[begin])) --begin;
     while (begin > 0 && in_word(text_[begin]) && in_word(text_[begin - 1])) --begin;
     std::size_t end = begin;
     while (end < text_.size() && in_word(text_[end]) && end - begin <= longest_quote) ++end;
@@ -220,6 +227,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   JsonValue root_;
   std::vector<JsonValue> open_;
   std::size_t values_ = 0;
+  bool awaits_value_ = false;  // the last thing read was a key
 };
 
 std::string TreeBuilder::describe(const nlohmann::json::exception& error) const {
@@ -236,6 +244,10 @@ std::string TreeBuilder::describe(const nlohmann::json::exception& error) const 
   if (bare == "nan" || bare == "inf" || bare == "infinity") {
     return fmt::format("found {}; allowed: JSON numbers, and the string \"inf\" where the format says so",
                        word);
+  }
+  if (progress_.at > progress_.begin &&
+      text_[static_cast<std::size_t>(progress_.at - progress_.begin) - 1] == '/') {
+    return fmt::format("not JSON: unexpected '/'; JSON has no comments (column {})", column());
   }
   // The library's text is "[…] parse error at …: syntax error while … - REASON; last read: '…'; expected …".
   // "Last read" can be as long as the file and hold any bytes: it is left out.
@@ -260,6 +272,10 @@ void refuse_what_is_no_json_text(std::string_view text, const std::string& name,
   }
   if (text.starts_with("\xEF\xBB\xBF") || text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) {
     fail("starts with a byte order mark; save the file as UTF-8 without one");
+  }
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    // The library would take it for the end of the text.
+    fail(fmt::format("the byte at offset {} is NUL; this is no text", nul));
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     fail("is empty; a JSON document is needed");

@@ -50,8 +50,8 @@ struct JsonMember {
 /// What a text may cost at most. The defaults are for files of people: a scene, a report.
 struct JsonLimits {
   std::size_t max_bytes = std::size_t{64} << 20;
-  std::size_t max_depth = 64;           ///< of lists and objects inside each other
-  std::size_t max_values = 10'000'000;  ///< of all kinds; about 60 bytes of memory each
+  std::size_t max_depth = 64;          ///< of lists and objects inside each other
+  std::size_t max_values = 4'000'000;  ///< of all kinds; about 60 bytes of memory each, 120 while lists grow
 };
 
 struct JsonDocument {

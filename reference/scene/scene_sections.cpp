@@ -33,7 +33,7 @@ int integer(const JsonValue& value) {
 const JsonValue::Array& entries(const JsonValue& root, std::string_view key) {
   static const JsonValue::Array none;
   const JsonValue* value = root.find(key);
-  return value == nullptr ? none : *value->array();
+  return value == nullptr || value->array() == nullptr ? none : *value->array();
 }
 
 FormRule read_form(const JsonValue& value) {
@@ -58,18 +58,19 @@ class Sections {
   explicit Sections(SceneSource& source) : source_(source), root_(source.root()) {}
 
   Scene read() {
+    if (source_.full()) return scene_;
     read_top_level();
     const bool named = root_.find("species") != nullptr && source_.sound({"species"});
     if (named) read_species();
-    if (named && source_.sound({"pairs"})) read_pairs();
-    if (named && source_.sound({"phases"})) read_phases();
+    if (named) read_pairs();
+    if (named) read_phases();
     if (named && source_.sound({"observe"})) read_observe();
     const bool measured = root_.find("dimension") != nullptr && source_.sound({"dimension"});
+    if (!named || !measured) return scene_;
+    read_particles();
     if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
-    if (named && measured) read_particles();
-    if (!named || !measured || !source_.sound({"particles"})) return scene_;
-    if (source_.sound({"impulses"})) read_impulses();
-    if (source_.sound({"tethers"})) read_tethers();
+    read_impulses();
+    read_tethers();
     return scene_;
   }
 
@@ -99,6 +100,10 @@ class Sections {
     }
   }
 
+  // Whether the schema accepted an entry of a list. An entry that is wrong does not keep the others from
+  // being looked at; nothing that needs the whole list is done with the rest.
+  bool sound(const std::string& pointer) const { return source_.sound_at(pointer); }
+
   // Index of a species by its name; reports a name that no species has.
   std::optional<int> species_index(const JsonValue& value, const std::string& pointer) {
     const auto found = index_of_.find(*value.string());
@@ -124,6 +129,7 @@ class Sections {
     std::map<std::pair<int, int>, std::size_t> entry_of;
     for (std::size_t k = 0; k < list.size(); ++k) {
       const std::string pointer = fmt::format("/pairs/{}", k);
+      if (!sound(pointer)) continue;
       const std::optional<std::pair<int, int>> pair = read_between(list[k], pointer);
       if (!pair) continue;
       const auto [first, is_new] = entry_of.emplace(*pair, k);
@@ -165,7 +171,9 @@ class Sections {
   void read_phases() {
     const JsonValue::Array& list = entries(root_, "phases");
     for (std::size_t k = 0; k < list.size(); ++k) {
-      const std::optional<std::pair<int, int>> pair = read_between(list[k], fmt::format("/phases/{}", k));
+      const std::string pointer = fmt::format("/phases/{}", k);
+      if (!sound(pointer)) continue;
+      const std::optional<std::pair<int, int>> pair = read_between(list[k], pointer);
       if (!pair) continue;
       Phase phase;
       phase.from = number(list[k], "from");
@@ -206,6 +214,7 @@ class Sections {
     std::map<std::int32_t, std::size_t> entry_of;
     for (std::size_t k = 0; k < list.size(); ++k) {
       const std::string pointer = fmt::format("/particles/{}", k);
+      if (!sound(pointer)) continue;
       Particle particle;
       const JsonValue* id = list[k].find("id");
       particle.id = id == nullptr ? static_cast<std::int32_t>(k) : integer(*id);
@@ -248,6 +257,7 @@ class Sections {
     const JsonValue::Array& list = entries(root_, "impulses");
     for (std::size_t k = 0; k < list.size(); ++k) {
       const std::string pointer = fmt::format("/impulses/{}", k);
+      if (!sound(pointer)) continue;
       ScheduledImpulse impulse;
       impulse.at = number(list[k], "at");
       impulse.particle = particle_index(*list[k].find("particle"), pointer + "/particle").value_or(0);
@@ -259,6 +269,7 @@ class Sections {
   void read_tethers() {
     const JsonValue::Array& list = entries(root_, "tethers");
     for (std::size_t k = 0; k < list.size(); ++k) {
+      if (!sound(fmt::format("/tethers/{}", k))) continue;
       const JsonValue::Array& ids = *list[k].array();
       const std::optional<int> i = particle_index(ids[0], fmt::format("/tethers/{}/0", k));
       const std::optional<int> j = particle_index(ids[1], fmt::format("/tethers/{}/1", k));

@@ -33,10 +33,15 @@ class SceneSource {
   /// Whether nothing is wrong with these keys of the scene so far, so that what was read from them is whole.
   bool sound(std::initializer_list<std::string_view> keys) const {
     for (const std::string_view key : keys) {
-      if (problems_.touches(prefix_ + "/" + std::string(key))) return false;
+      std::string pointer = "/";
+      pointer += key;
+      if (!sound_at(pointer)) return false;
     }
     return true;
   }
+
+  /// Whether nothing is wrong at `pointer`, which counts from the scene, or inside it.
+  bool sound_at(const std::string& pointer) const { return !problems_.touches(prefix_ + pointer); }
 
   /// Whether so much is wrong that looking for more helps nobody.
   bool full() const { return problems_.full(); }

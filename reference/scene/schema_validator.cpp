@@ -87,8 +87,12 @@ class Validation {
   }
 
   void mismatch(const JsonValue& value, const SchemaView& schema, const JsonPath& path) {
-    add(value.line, path,
-        fmt::format("found {}; allowed: {}", describe_found(value), describe_allowed(schema)));
+    std::string message =
+        fmt::format("found {}; allowed: {}", describe_found(value), describe_allowed(schema));
+    if (value.string() != nullptr && holds_number(schema.text("format"))) {
+      message += "; a number in a string is a hexadecimal float like \"0x1.8p+1\"";
+    }
+    add(value.line, path, std::move(message));
   }
 
   static bool is_listed(const JsonValue& value, const SchemaView& schema) {
@@ -140,7 +144,7 @@ class Validation {
     }
     const JsonValue* items = schema.find("items");
     if (items == nullptr) return;
-    for (std::size_t k = 0; k < array.size(); ++k) {
+    for (std::size_t k = 0; k < array.size() && !problems_.full(); ++k) {
       const JsonPath entry = path.item(k);
       this->value(array[k], schema.at(*items), entry);
     }
@@ -155,6 +159,7 @@ class Validation {
     const JsonValue* properties = schema.find("properties");
     const JsonValue* others = schema.find("additionalProperties");
     for (const JsonMember& member : object) {
+      if (problems_.full()) return;
       const JsonPath place = path.key(member.key);
       const JsonValue* property = properties == nullptr ? nullptr : properties->find(member.key);
       if (property != nullptr) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/scene/json_pointer.hpp"
 #include "reference/scene/number_text.hpp"
@@ -54,13 +55,38 @@ std::string describe_type(const SchemaView& schema, std::string_view type) {
   if (type == "boolean") return "true or false";
   if (type == "null") return "null";
   const std::string_view format = schema.text("format");
-  if (format == "tps-number") return "a hexadecimal float like \"0x1.8p+1\" in its place";
-  if (format == "tps-number-or-inf") return "a hexadecimal float like \"0x1.8p+1\" in its place or \"inf\"";
+  if (format == "tps-number") return "";  // another way to write the same number
+  if (format == "tps-number-or-inf") return "\"inf\"";
   if (format == "tps-uint64") return "a string with a decimal or hexadecimal integer up to 2^64-1";
   const std::size_t least = schema.count("minLength", 0);
   const std::size_t most = schema.count("maxLength", 0);
   if (most > 0) return fmt::format("a string of at most {} characters", most);
   return least > 0 ? "a string that is not empty" : "a string";
+}
+
+std::string describe_keys(const JsonValue::Object& object) {
+  constexpr std::size_t most_keys = 4;
+  if (object.empty()) return "an empty object";
+  if (object.size() > most_keys) return fmt::format("an object with {} keys", object.size());
+  std::vector<std::string> keys;
+  for (const JsonMember& member : object) keys.push_back(member.key);
+  return fmt::format("an object with {} {}", keys.size() == 1 ? "the key" : "the keys",
+                     quoted_list(keys, " and "));
+}
+
+// One part for each alternative.
+std::vector<std::string> allowed_parts(const SchemaView& schema) {
+  std::vector<std::string> parts;
+  if (const JsonValue* constant = schema.find("const")) parts.push_back(describe_found(*constant));
+  for (const JsonValue& value : schema.list("enum")) parts.push_back(describe_found(value));
+  for (const JsonValue& alternative : schema.list("oneOf")) {
+    for (const std::string& part : allowed_parts(schema.at(alternative))) parts.push_back(part);
+  }
+  if (!parts.empty()) return parts;
+  for (const std::string_view type : schema.types()) {
+    if (std::string part = describe_type(schema, type); !part.empty()) parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 }  // namespace
@@ -108,23 +134,14 @@ std::string describe_range(const SchemaView& schema) {
   if (least != nullptr && most != nullptr) return fmt::format("from {} to {}", bound(*least), bound(*most));
   std::vector<std::string> parts;
   if (above != nullptr) parts.push_back("greater than " + bound(*above));
-  if (least != nullptr) parts.push_back("at least " + bound(*least));
+  if (least != nullptr) parts.push_back("of at least " + bound(*least));
   if (below != nullptr) parts.push_back("less than " + bound(*below));
-  if (most != nullptr) parts.push_back("at most " + bound(*most));
+  if (most != nullptr) parts.push_back("of at most " + bound(*most));
   return joined(parts, " and ");
 }
 
 std::string describe_allowed(const SchemaView& schema) {
-  std::vector<std::string> parts;
-  if (const JsonValue* constant = schema.find("const")) return describe_found(*constant);
-  for (const JsonValue& value : schema.list("enum")) parts.push_back(describe_found(value));
-  for (const JsonValue& alternative : schema.list("oneOf")) {
-    parts.push_back(describe_allowed(schema.at(alternative)));
-  }
-  if (parts.empty()) {
-    for (const std::string_view type : schema.types()) parts.push_back(describe_type(schema, type));
-  }
-  return joined(parts, " or ");
+  return joined(allowed_parts(schema), " or ");
 }
 
 std::string describe_found(const JsonValue& value) {
@@ -135,7 +152,7 @@ std::string describe_found(const JsonValue& value) {
   if (const JsonValue::Array* array = value.array()) {
     return fmt::format("a list of {} {}", array->size(), array->size() == 1 ? "entry" : "entries");
   }
-  return "an object";
+  return describe_keys(*value.object());
 }
 
 std::string quoted(std::string_view text) {

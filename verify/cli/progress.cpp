@@ -46,7 +46,8 @@ void ProgressReport::update(const RunOptions::Progress& progress) {
     const std::string left =
         done_here > 0 ? duration_text(seconds * (progress.duration - progress.t) / done_here) + " left" : "";
     const auto filled = static_cast<int>(part * kBarWidth);
-    const std::string bar = terminal_ ? fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kBarWidth - filled) : "";
+    const std::string bar =
+        terminal_ ? fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kBarWidth - filled) : "";
     text = fmt::format("{}{:3.0f} %  {} of {:.6g}  {}", bar, 100 * part, text, progress.duration, left);
   }
   if (terminal_) {

@@ -14,6 +14,7 @@ json clusters_json(const RunSummary& s) {
     samples.push_back({{"t", c.t},
                        {"occasion", c.occasion},
                        {"sizes", c.sizes},
+                       {"described", c.described},
                        {"extent", c.extent},
                        {"relative_speed", c.relative_speed},
                        {"centre_speed", c.centre_speed}});

@@ -50,12 +50,15 @@ void write_groups(Text out, const RunSummary& s) {
 
 void write_clusters(Text out, const RunSummary& s) {
   if (s.clusters.empty()) return;
-  fmt::format_to(out, "clusters   of {}; extent and speeds are those of the largest\n", s.cluster_species);
+  fmt::format_to(out,
+                 "clusters   of {}; extent and speeds are those of the largest, around an impulse of the one "
+                 "that was hit\n",
+                 s.cluster_species);
   fmt::format_to(out, "           {:>10}  {:>6}  {:>8}  {:>8}  {:>8}  sizes\n", "t", "number", "extent",
                  "relative", "centre");
   for (const ClusterSample& c : s.clusters) {
     fmt::format_to(out, "           {:>10.5g}  {:>6}", c.t, c.sizes.size());
-    if (c.sizes.empty()) {
+    if (c.described == 0) {
       fmt::format_to(out, "{:>30}", "");
     } else {
       fmt::format_to(out, "  {:>8.4g}  {:>8.4g}  {:>8.4g}", c.extent, c.relative_speed, c.centre_speed);
@@ -83,7 +86,7 @@ std::string summary_text(const RunSummary& s) {
   if (s.seconds > 0)
     fmt::format_to(out, " ({:.3g} events/s)", static_cast<double>(s.events_here) / s.seconds);
   fmt::format_to(out, "\nevents    ");
-  for (const auto& [kind, count] : s.by_kind) fmt::format_to(out, " {} {} ", kind, count);
+  for (const auto& [kind, count] : s.by_kind) fmt::format_to(out, " {} {}", count, kind);
   fmt::format_to(out, "\n           below rounding {}, with zero impulse {}\n", s.noise, s.zero_impulse);
   write_conservation(out, s);
   if (s.grouping) write_groups(out, s);

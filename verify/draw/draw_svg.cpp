@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verify/draw/connected.hpp"
+#include "reference/scene/clusters.hpp"
 #include "verify/draw/elements.hpp"
 #include "verify/draw/palette.hpp"
 #include "verify/draw/view.hpp"
@@ -34,7 +34,7 @@ std::vector<bool> containers(const Scene& scene) {
 }
 
 void check(const Scene& scene, const std::vector<std::array<double, 3>>& positions,
-           const std::vector<std::pair<int, int>>& tethers, const DrawOptions& options) {
+           const std::vector<Tether>& tethers, const DrawOptions& options) {
   if (positions.size() != scene.particles.size()) {
     throw std::invalid_argument(
         fmt::format("draw: {} positions for the {} particles of the scene; give one each", positions.size(),
@@ -59,13 +59,20 @@ void check(const Scene& scene, const std::vector<std::array<double, 3>>& positio
   }
 }
 
-std::vector<int> clusters_of(const Scene& scene, const std::vector<std::pair<int, int>>& tethers) {
-  if (!scene.clusters) return std::vector<int>(scene.particles.size(), -1);
-  return cluster_of_particles(scene, tethers, *scene.clusters);
+/// For each particle the number of its cluster, 0, 1, … by size, or −1 where it is in none.
+std::vector<int> cluster_numbers(const Scene& scene, const std::vector<Tether>& tethers) {
+  std::vector<int> number(scene.particles.size(), -1);
+  if (!scene.clusters) return number;
+  int clusters = 0;
+  for (const std::vector<int>& cluster : clusters_of(scene, tethers, *scene.clusters)) {
+    for (const int i : cluster) number[static_cast<std::size_t>(i)] = clusters;
+    ++clusters;
+  }
+  return number;
 }
 
 /// Everything but containers and texts, from far to near.
-std::vector<Layer> layers_of(const Drawing& drawing, const std::vector<std::pair<int, int>>& tethers) {
+std::vector<Layer> layers_of(const Drawing& drawing, const std::vector<Tether>& tethers) {
   std::vector<Layer> layers;
   // Tethers first: at equal depth, as in a plane, their ends then lie under the particles.
   for (const auto& [i, j] : tethers) {
@@ -82,12 +89,12 @@ std::vector<Layer> layers_of(const Drawing& drawing, const std::vector<std::pair
 }  // namespace
 
 std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>>& positions,
-                     const std::vector<std::pair<int, int>>& tethers, const DrawOptions& options) {
+                     const std::vector<Tether>& tethers, const DrawOptions& options) {
   check(scene, positions, tethers, options);
   const double size = options.size;
   const double title_height = 1.5 * kLegendLine;
   const Drawing drawing{scene, options, fit_to_picture(scene, positions, size), containers(scene),
-                        clusters_of(scene, tethers)};
+                        cluster_numbers(scene, tethers)};
   const std::vector<std::string> legend = legend_lines(drawing, size / 24, title_height + size + 5);
   const double height = title_height + size + kLegendLine * static_cast<double>(legend.size());
 

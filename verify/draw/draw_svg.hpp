@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
@@ -12,8 +11,8 @@
 namespace tps {
 
 struct DrawOptions {
-  double size = 720;           ///< width of the picture, in pixels, 64 to 16384; title above, legend below
-  std::optional<double> time;  ///< shown in the legend, if given
+  double size = 720;             ///< width of the picture, in pixels, 64 to 16384; title above, legend below
+  std::optional<double> time{};  ///< shown in the legend, if given
 };
 
 /// A self-contained SVG 1.1 document: no script, no style sheet, no font but generic ones, its own
@@ -30,6 +29,6 @@ struct DrawOptions {
 /// class="tether"> a tether. (3) Coordinates of any finite size are scaled to the picture before anything is
 /// squared or subtracted.
 std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>>& positions,
-                     const std::vector<std::pair<int, int>>& tethers, const DrawOptions& options = {});
+                     const std::vector<Tether>& tethers, const DrawOptions& options = {});
 
 }  // namespace tps

@@ -63,7 +63,8 @@ std::uint64_t parse_seed(const std::string& option, const std::string& text) {
 }
 
 void check_names(const SceneBuilder& builder, const OptionValues& values) {
-  for (const auto& [name, text] : values) {
+  for (const auto& value : values) {
+    const std::string& name = value.first;
     const bool known = std::any_of(builder.options.begin(), builder.options.end(),
                                    [&](const BuilderOption& option) { return option.name == name; });
     if (known) continue;

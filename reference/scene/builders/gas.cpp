@@ -16,7 +16,7 @@ double square(const Coordinates& u) {
 }
 
 /// Points of the face-centred cubic lattice with the given distance of neighbours, no farther than `reach`
-/// from the origin, which is half-way between points so that small shells are filled evenly.
+/// from the origin, which is a hole of the lattice (the point between four neighbours).
 std::vector<Coordinates> lattice_in_ball(double neighbours, double reach) {
   const double step = neighbours / std::numbers::sqrt2;  // half the cube's edge: points have even i + j + k
   const int most = static_cast<int>(reach / step) + 2;
