@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "properties/responses.hpp"
 #include "reference/equations/eq4_collision_impulse.hpp"
 
