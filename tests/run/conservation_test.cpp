@@ -62,8 +62,8 @@ std::vector<std::string> names() {
   for (const SceneBuilder& builder : scene_builders()) all.push_back(builder.name);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(All, Catalogue, ::testing::ValuesIn(names()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(All, Catalogue, ::testing::ValuesIn(names()), [](const auto& scene) {
+  std::string name = scene.param;
   std::erase(name, '-');
   return name;
 });
