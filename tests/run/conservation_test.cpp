@@ -26,7 +26,7 @@ Scene catalogue_scene(const SceneBuilder& builder) {
 
 class Catalogue : public ::testing::TestWithParam<std::string> {};
 
-void expect_conserved(const RunSummary& s) {
+void expect_conserved(const RunSummary& s, double most_inside = 8) {
   EXPECT_GT(s.events, 0U);
   EXPECT_LE(std::abs(s.energy_remainder), s.energy_bound) << s.scalar;
   EXPECT_LE(s.momentum_drift, s.momentum_bound) << s.scalar;
@@ -34,7 +34,7 @@ void expect_conserved(const RunSummary& s) {
   // by that part of a free path; paths are at most the size of the scene, that is of the largest coordinates.
   // Each coordinate of both is then rounded once: √d ulps in all. 8 is twice the sum for the few u counted
   // as 2.
-  EXPECT_LE(s.worst_inner_excess, 8) << s.scalar;
+  EXPECT_LE(s.worst_inner_excess, most_inside) << s.scalar;
   EXPECT_LE(s.worst_outer_excess, 8) << s.scalar;
 }
 
@@ -52,7 +52,9 @@ TEST_P(Catalogue, RunsInFiftyDigits) {
   if (GetParam() != "two-anchors") {
     EXPECT_NE(s.end, "stalled");
   }
-  expect_conserved(s);
+  // The cradle's balls touch but for the rounding of 0.1·i in double, of which up to 4 ulps are accepted; in
+  // ulps of fifty digits (168 bits) that overlap is large, and it is the scene's.
+  expect_conserved(s, GetParam() == "cradle" ? std::ldexp(4, 168 - 53) : 8);
   // Fifty digits leave nothing that a double could show.
   EXPECT_LE(std::abs(s.energy_remainder), 1e-40 * (s.kinetic_at_start + s.work));
 }
@@ -62,8 +64,8 @@ std::vector<std::string> names() {
   for (const SceneBuilder& builder : scene_builders()) all.push_back(builder.name);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(All, Catalogue, ::testing::ValuesIn(names()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(All, Catalogue, ::testing::ValuesIn(names()), [](const auto& scene) {
+  std::string name = scene.param;
   std::erase(name, '-');
   return name;
 });

@@ -35,8 +35,9 @@ struct Outcome {
 Outcome shell(const std::string& command) {
   const std::string out = scratch("stdout");
   const std::string err = scratch("stderr");
-  const std::string line = "TPS='" TPS_PROGRAM "'; { " + command + "; } >'" + out + "' 2>'" + err + "'";
-  const int status = std::system(("bash -c \"" + line + "\"").c_str());
+  const std::string script = scratch("script");
+  write_bytes(script, "TPS='" TPS_PROGRAM "'\n" + command + "\n");
+  const int status = std::system(("bash '" + script + "' >'" + out + "' 2>'" + err + "'").c_str());
   return {WEXITSTATUS(status), read_bytes(out), read_bytes(err)};
 }
 
@@ -137,7 +138,7 @@ TEST(Process, AFullDiskIsAnError) {
 
 TEST(Process, AClosedPipeIsAnError) {
   const std::string scene = scene_file(build_gas({.particles = 50, .density = .5, .duration = 50}));
-  const Outcome o = shell("$TPS run '" + scene + "' -q -o - | head -1 >/dev/null; exit \\${PIPESTATUS[0]}");
+  const Outcome o = shell("$TPS run '" + scene + "' -q -o - | head -1 >/dev/null; exit ${PIPESTATUS[0]}");
   EXPECT_EQ(o.code, 7);
   EXPECT_NE(o.err.find("standard output"), std::string::npos) << o.err;
   EXPECT_NE(o.err.find("Broken pipe"), std::string::npos) << o.err;

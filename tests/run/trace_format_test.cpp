@@ -44,8 +44,11 @@ TEST(TraceSchema, AcceptsWhatRunsWrite) {
                       .species_b = rules->species_b,
                       .form = {},
                       .breaks = BreakRule{.when = BreakRule::When::always}}};
+  Scene breaking = build_pair({});
+  breaking.pairs[0].tethering->breaks.when = BreakRule::When::always;
   std::string kinds;
-  for (const Scene& scene : {terminal, build_ring({}), build_pair({}), build_two_anchors({.grouped = .01})}) {
+  for (const Scene& scene :
+       {terminal, breaking, build_ring({}), build_pair({}), build_two_anchors({.grouped = .01})}) {
     for (const char* scalar : {"double", "mp50"}) {
       RunOptions options = options_for(scalar, 300);
       options.state_every = 5;
