@@ -12,8 +12,8 @@
 namespace tps::claims {
 namespace {
 
-/// Elastic collisions are rotations of (√m_X v_X, √m_Y v_Y, √m_Z v_Z), a vector of length 1, so errors add up and
-/// do not grow: (3) and (4) round 16 times at most, by ε/2 each, hence 8 ε a collision.
+/// Elastic collisions are rotations of (√m_X v_X, √m_Y v_Y, √m_Z v_Z), a vector of length 1, so errors add up
+/// and do not grow: (3) and (4) round 16 times at most, by ε/2 each, hence 8 ε a collision.
 double velocity_tolerance(int collisions, double mass, double epsilon) {
   return collisions * 8 * epsilon / std::sqrt(mass);
 }
@@ -46,8 +46,7 @@ Claim collisions() {
   claim.figures.push_back(exactly("collisions, double", 70, "the paper", count(in_double, "rebound")));
   claim.figures.push_back(exactly("collisions, mp50", 70, "the paper", count(in_mp50, "rebound")));
   add_velocities(claim, params, in_double, "double", std::numeric_limits<double>::epsilon());
-  add_velocities(claim, params, in_mp50, "mp50",
-                 static_cast<double>(std::numeric_limits<Mp50>::epsilon()));
+  add_velocities(claim, params, in_mp50, "mp50", static_cast<double>(std::numeric_limits<Mp50>::epsilon()));
   for (const double mass : {1.0, 0.1, 0.01, 0.001, 1e-4, 1e-6}) {
     ThreeBodyParams other;
     other.middle_mass = mass;

@@ -27,18 +27,19 @@ long long true_collisions(const RunSummary& s) {
   return count(s, "rebound") - static_cast<long long>(s.noise);
 }
 
-void add_velocities(Claim& claim, double c, const std::array<double, 3>& expected, const std::string& fractions) {
+void add_velocities(Claim& claim, double c, const std::array<double, 3>& expected,
+                    const std::string& fractions) {
   const RunSummary run = run_three_body(grouped(kLongEnough, c));
   claim.figures.push_back(
       exactly(fmt::format("collisions, c = {}", c), 2, "X-Y, then XY-Z", true_collisions(run)));
   claim.figures.push_back(
       exactly(fmt::format("restitutions, c = {}", c), 2, "one a collision", count(run, "restitute")));
   for (std::size_t i = 0; i < 3; ++i) {
-    // The path of a velocity has two loads and two restitutions of a dozen roundings each, of numbers up to 1; m_Y
-    // and c are within half an ulp of the decimals.
+    // The path of a velocity has two loads and two restitutions of a dozen roundings each, of numbers up to
+    // 1; m_Y and c are within half an ulp of the decimals.
     constexpr double kTolerance = 48 * std::numeric_limits<double>::epsilon() / 2;
-    claim.figures.push_back(within(fmt::format("velocity of {}, c = {}", "XYZ"[i], c), expected[i], kTolerance,
-                                   fractions, std::stod(final_vx(run, i)), 12));
+    claim.figures.push_back(within(fmt::format("velocity of {}, c = {}", "XYZ"[i], c), expected[i],
+                                   kTolerance, fractions, std::stod(final_vx(run, i)), 12));
   }
 }
 
@@ -60,10 +61,11 @@ Claim grouping() {
   claim.figures.push_back(exactly(fmt::format("collisions, dt_restitute {:.6g}", needed * 1.001), 2,
                                   fmt::format("above gap/v_load = {:.6g}", needed), true_collisions(longer)));
   const RunSummary shorter = run_three_body(grouped(needed * 0.999, 1));
-  claim.figures.push_back(same(fmt::format("more than 2 collisions, dt_restitute {:.6g}", needed * 0.999), "yes",
-                               "below gap/v_load: X-Y part before Y meets Z",
+  claim.figures.push_back(same(fmt::format("more than 2 collisions, dt_restitute {:.6g}", needed * 0.999),
+                               "yes", "below gap/v_load: X-Y part before Y meets Z",
                                true_collisions(shorter) > 2 ? "yes" : "no"));
-  claim.figures.push_back(same("end below e_c (c = 0.89), grouped", "duration", "a grouped scene cannot stall",
+  claim.figures.push_back(same("end below e_c (c = 0.89), grouped", "duration",
+                               "a grouped scene cannot stall",
                                run_three_body(grouped(kLongEnough, 0.89)).end));
   return claim;
 }

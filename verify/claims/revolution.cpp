@@ -32,11 +32,12 @@ Relative relative_motion(const RunSummary& s) {
 }  // namespace
 
 Claim revolution() {
-  Claim claim{"revolution",
-              "At θ = 45° and c_revolve = 0.5 four collisions make a revolution, and each keeps 0.84 of the speed.",
-              "Collision response",
-              scene_and_run("pair", "pair"),
-              {}};
+  Claim claim{
+      "revolution",
+      "At θ = 45° and c_revolve = 0.5 four collisions make a revolution, and each keeps 0.84 of the speed.",
+      "Collision response",
+      scene_and_run("pair", "pair"),
+      {}};
   constexpr int kEvents = 5;
   const double factor = std::pow(0.5, 0.25);
   // Decimal output carries 15 digits; five events of at most 16 roundings each stay below that.

@@ -1,5 +1,5 @@
-// X-Y-Z with inelastic collisions: ever more of them down to e_c, then a collapse; and where each scalar gives
-// up before.
+// X-Y-Z with inelastic collisions: ever more of them down to e_c, then a collapse; and where each scalar
+// gives up before.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -35,8 +35,9 @@ double last_approach(double e, ScalarKind scalar, int collisions) {
   return difference(final_vx(before, left), final_vx(before, left + 1));
 }
 
-/// Whether a run ends by itself. A scalar that has lost the speeds in noise can also go on for ever while its clock
-/// creeps, which no count of events at one time notices; so many events are none of the n < 6000 of real ones.
+/// Whether a run ends by itself. A scalar that has lost the speeds in noise can also go on for ever while its
+/// clock creeps, which no count of events at one time notices; so many events are none of the n < 6000 of
+/// real ones.
 bool ends_by_itself(double e, ScalarKind scalar) {
   constexpr std::uint64_t kManyTimesTheTruth = 16000;
   return run_three_body(at(e), scalar, kManyTimesTheTruth).end == "no_more_events";
@@ -56,17 +57,18 @@ double bisect(ScalarKind scalar, double expected) {
 
 template <typename Scalar>
 Figure threshold(const std::string& name, ScalarKind scalar) {
-  // Rounding errors live on for 1/(1 − √e) = 22 collisions before they are damped away, and velocities near 1/2
-  // have half or a quarter of ε as their ulp: the speed that is lost in noise is ε times or by 16.
+  // Rounding errors live on for 1/(1 − √e) = 22 collisions before they are damped away, and velocities near
+  // 1/2 have half or a quarter of ε as their ulp: the speed that is lost in noise is ε times or by 16.
   constexpr double kNoise = 16;
   const double log10_epsilon =
       static_cast<double>(Scalar(log10(Scalar(std::numeric_limits<Scalar>::epsilon()))));
   const auto where = [&](double factor) {
     return restitution_where_speeds_reach(kMiddle, log10_epsilon + std::log10(factor));
   };
-  return between("smallest c that ends, " + name, where(1 / kNoise), where(kNoise),
-                 "e^(π/2φ) = ε·16 or ε/16; e_c + " + fmt::format("{:.2g}", where(1) - collapse_restitution(kMiddle)),
-                 bisect(scalar, where(1)), name == "double" ? 5 : 8);
+  return between(
+      "smallest c that ends, " + name, where(1 / kNoise), where(kNoise),
+      "e^(π/2φ) = ε·16 or ε/16; e_c + " + fmt::format("{:.2g}", where(1) - collapse_restitution(kMiddle)),
+      bisect(scalar, where(1)), name == "double" ? 5 : 8);
 }
 
 void add_counts(Claim& claim) {
@@ -111,9 +113,10 @@ Claim stall() {
   claim.figures.push_back(within("bound of collapse e_c", 0.9144475, 5e-8,
                                  "(1 − sin α)/(1 + sin α), cos α = 1/(1 + m_Y)", e_c, 7));
   for (const double e : {0.89, 0.9, 0.9144}) {
-    for (const auto& [name, scalar] : {std::pair{"double", ScalarKind::double_}, {"mp50", ScalarKind::mp50}}) {
-      claim.figures.push_back(same(fmt::format("end at c = {}, {}", e, name), "stalled", "c ≤ e_c: a collapse",
-                                   run_three_body(at(e), scalar).end));
+    for (const auto& [name, scalar] :
+         {std::pair{"double", ScalarKind::double_}, {"mp50", ScalarKind::mp50}}) {
+      claim.figures.push_back(same(fmt::format("end at c = {}, {}", e, name), "stalled",
+                                   "c ≤ e_c: a collapse", run_three_body(at(e), scalar).end));
     }
   }
   add_counts(claim);

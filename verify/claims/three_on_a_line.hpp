@@ -28,8 +28,8 @@ int collisions_by_formula(double middle_mass, double e);
 /// log10 of g_n, the approach speed of the last collision, by the formula. REQUIRES e > e_c.
 double last_approach_by_formula(double middle_mass, double e);
 
-/// The c_rebound where e^(n/2) = smallest, n = π/φ: below it, approach speeds fall under what a scalar of that
-/// relative precision can tell from zero. Solved by bisection to all digits of a double.
+/// The c_rebound where e^(n/2) = smallest, n = π/φ: below it, approach speeds fall under what a scalar of
+/// that relative precision can tell from zero. Solved by bisection to all digits of a double.
 double restitution_where_speeds_reach(double middle_mass, double log10_smallest);
 
 /// The collisions carried out one by one on three velocities with 300 digits: no formula of a wedge, no gap.
