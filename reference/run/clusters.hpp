@@ -13,9 +13,12 @@
 
 namespace tps {
 
-/// Extent and motion of one cluster at a time up to which every particle flies straight: with positions x,
-/// velocities v, and their mass-weighted means X, V
-///   extent = √(Σ|x − X|² / n), relative speed = √(Σ|v − V|² / n), centre speed = |V|.
+/// Extent and motion of one cluster at a time up to which every particle flies straight: with masses m of sum
+/// M, positions x, velocities v, and their mass-weighted means X, V
+///   extent = √(Σ m|x − X|² / M), relative speed = √(Σ m|v − V|² / M), centre speed = |V|.
+/// With the weights ½ M (relative speed)² is the energy of the inner motion, which collisions inside the
+/// cluster cannot raise. Without them it would rise as heavy vesicles share their energy with light
+/// synapsins.
 template <typename Scalar, int D>
 void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, const std::vector<int>& cluster,
                       ClusterSample& sample) {
@@ -34,14 +37,17 @@ void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, cons
   Scalar spread(0);
   Scalar agitation(0);
   for (const int i : cluster) {
-    spread += (world.position(i, t) - centre).squaredNorm();
-    agitation += (world.velocity(i) - velocity).squaredNorm();
+    spread += world.mass(i) * (world.position(i, t) - centre).squaredNorm();
+    agitation += world.mass(i) * (world.velocity(i) - velocity).squaredNorm();
   }
-  const auto n = static_cast<Scalar>(static_cast<int>(cluster.size()));
   sample.described = count_species(world.scene, cluster, world.scene.clusters->species);
-  sample.extent = static_cast<double>(Scalar(sqrt(Scalar(spread / n))));
-  sample.relative_speed = static_cast<double>(Scalar(sqrt(Scalar(agitation / n))));
+  sample.particles = static_cast<int>(cluster.size());
+  sample.mass = static_cast<double>(mass);
+  sample.extent = static_cast<double>(Scalar(sqrt(Scalar(spread / mass))));
+  sample.relative_speed = static_cast<double>(Scalar(sqrt(Scalar(agitation / mass))));
   sample.centre_speed = static_cast<double>(Scalar(sqrt(velocity.squaredNorm())));
+  for (int k = 0; k < D; ++k)
+    sample.centre_velocity[static_cast<std::size_t>(k)] = static_cast<double>(velocity[k]);
 }
 
 /// When a run looks at its clusters, and at which one.

@@ -51,9 +51,10 @@ struct ClusterSample {
                          ///< "end" in a summary, where a run was cut short
   std::vector<int> sizes;     ///< particles of the observed species, descending
   int described = 0;          ///< size of the cluster that the rest is about; 0: none
-  double extent = 0;          ///< root mean square distance of its particles from their centre
-  double relative_speed = 0;  ///< root mean square velocity of its particles relative to their centre's
+  double extent = 0;          ///< root mean square distance from the centre of mass, weighted by mass
+  double relative_speed = 0;  ///< root mean square velocity relative to the centre's, weighted by mass
   double centre_speed = 0;    ///< of its centre of mass
+  std::array<double, 3> centre_velocity{};  ///< of its centre of mass
 };
 
 /// What `tps run` says at the end. Energies are relative to the infinite masses (ledger.hpp).

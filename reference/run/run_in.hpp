@@ -116,7 +116,10 @@ class RecordedRun {
                              std::to_string(s.described),
                              to_hex(s.extent),
                              to_hex(s.relative_speed),
-                             to_hex(s.centre_speed)};
+                             to_hex(s.centre_speed),
+                             std::to_string(s.particles),
+                             to_hex(s.mass)};
+    for (const double component : s.centre_velocity) data.push_back(to_hex(component));
     for (const int size : s.sizes) data.push_back(std::to_string(size));
     return data;
   }
@@ -129,7 +132,10 @@ class RecordedRun {
     s.extent = number_from<double>(data.at(3));
     s.relative_speed = number_from<double>(data.at(4));
     s.centre_speed = number_from<double>(data.at(5));
-    for (std::size_t n = 6; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
+    s.particles = std::stoi(data.at(6));
+    s.mass = number_from<double>(data.at(7));
+    for (std::size_t k = 0; k < 3; ++k) s.centre_velocity[k] = number_from<double>(data.at(8 + k));
+    for (std::size_t n = 11; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
     return s;
   }
 

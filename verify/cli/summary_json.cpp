@@ -15,9 +15,12 @@ json clusters_json(const RunSummary& s) {
                        {"occasion", c.occasion},
                        {"sizes", c.sizes},
                        {"described", c.described},
+                       {"particles", c.particles},
+                       {"mass", c.mass},
                        {"extent", c.extent},
                        {"relative_speed", c.relative_speed},
-                       {"centre_speed", c.centre_speed}});
+                       {"centre_speed", c.centre_speed},
+                       {"centre_velocity", c.centre_velocity}});
   }
   return {{"species", s.cluster_species}, {"samples", samples}};
 }

@@ -82,6 +82,7 @@ Scene build_gas(const GasParams& params) {
                   .species_b = 1,
                   .blocking = BlockingLaw{.distance = 1, .c_rebound = params.restitution},
                   .tethering = {}}};
+  if (params.grouped > 0) scene.grouping = Grouping{params.grouped};
   scene.particles = {{.id = 0, .species = 0, .position = {}, .velocity = {}}};
   // Evenly spread over the points, when there are more of them than spheres.
   for (std::size_t i = 0; i < needed; ++i) {
@@ -102,6 +103,8 @@ SceneBuilder gas_builder() {
         "spheres over the volume of the membrane; times π/6: filled part"},
        {"temperature", &P::temperature, from_to(0, 1e6), "kT of the start velocities; a sphere has mass 1"},
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},
+       {"grouped", &P::grouped, from_to(0, 1e6),
+        "dt_restitute of grouping, well below a mean free time; 0: no grouping"},
        {"duration", &P::duration, above(0), "time simulated"},
        {"seed", &P::seed, {}, "of the start velocities"}},
       &build_gas);

@@ -13,6 +13,7 @@ struct GasParams {
   double density = 0.3;
   double temperature = 1;
   double restitution = 1;
+  double grouped = 0;
   double duration = 10;
   std::uint64_t seed = 1;
 };

@@ -24,7 +24,7 @@ struct TerminalParams {
   double theta = 30;
   double form_probability = 1;
   double break_probability = 0;
-  double impact = 24;
+  double impact = 80;
   double impact_at = 50;
   int impacts = 3;
   double grouped = 1e-4;
@@ -46,7 +46,8 @@ struct TerminalParams {
 /// first, and restitution below 1 cools the motion, so that clusters calm down before the impacts.
 ///
 /// The impacts are impulses `impact` along +x on vesicles 1, 2, … (ids from 1), the first at `impact_at`, the
-/// others following evenly until the end.
+/// others following evenly until the end. They change the speed of a vesicle by 10, some ten times what is left of
+/// its thermal motion by then, so that the reaction of a cluster stands out of its agitation.
 ///
 /// Throws std::invalid_argument when limits contradict each other or the particles do not fit.
 Scene build_terminal(const TerminalParams& params);
