@@ -1,5 +1,6 @@
 #include "reference/run/snapshot.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <unordered_map>
@@ -53,6 +54,11 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
       const double flight = snapshot.t - nearest(p.clock);
       for (std::size_t k = 0; k < p.position.size() && k < 3; ++k) {
         position[k] = nearest(p.position.at(k)) + nearest(p.velocity.at(k)) * flight;
+        if (!std::isfinite(position[k])) {
+          const std::string id = std::to_string(p.id);
+          throw InputError(
+              {{path, 0, "", "its full state puts particle " + id + " beyond the range of a double"}});
+        }
       }
     }
     for (const auto& [first, second] : state.tethers) {

@@ -3,6 +3,8 @@
 
 #include <csignal>
 #include <exception>
+#include <new>
+#include <string>
 
 #include "reference/run/run.hpp"
 #include "reference/scene/input_error.hpp"
@@ -19,7 +21,8 @@ std::string version_text() {
 
 constexpr const char* kFooter =
     R"(Exit codes: 0 done, 1 a check found a violation, 2 usage, 3 bad input data, 4 another program
-failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 130 interrupted.
+failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 70 an error of ours,
+130 interrupted.
 Example: tps run data/scenes/three-body.json)";
 
 int report(const char* what, int exit_code) {
@@ -55,6 +58,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report("not enough memory for this input; give it in smaller parts", tps::cli::kBadInput);
   } catch (const std::exception& error) {
-    return report(error.what(), tps::cli::kUsage);
+    return report((std::string("internal error, please report it: ") + error.what()).c_str(),
+                  tps::cli::kInternal);
   }
 }

@@ -78,9 +78,9 @@ void add_run(CLI::App& app, int& exit_code) {
   CLI::Option* scene = verb->add_option("scene", a->scene, "Scene file, - for standard input");
   verb->add_option("-o,--output", a->options.trace,
                    "Write the trace here, - for standard output (the summary then goes to standard error)");
-  verb->add_option("--scalar", a->scalar, "Type of every number in the run")
-      ->check(CLI::IsMember(scalar_names()))
-      ->capture_default_str();
+  CLI::Option* scalar = verb->add_option("--scalar", a->scalar, "Type of every number in the run")
+                            ->check(CLI::IsMember(scalar_names()))
+                            ->capture_default_str();
   verb->add_option("--detector", a->detector, "How the next collision is found")
       ->check(CLI::IsMember({"all-pairs"}))
       ->capture_default_str();
@@ -88,19 +88,20 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::Validator(not_before_start, "TIME"));
   verb->add_option("--max-events", a->options.max_events, "End after this many events")
       ->check(CLI::NonNegativeNumber);
-  verb->add_option(
-          "--state-every", a->options.state_every,
-          "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")
-      ->check(CLI::PositiveNumber);
+  CLI::Option* state_every =
+      verb->add_option(
+              "--state-every", a->options.state_every,
+              "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")
+          ->check(CLI::PositiveNumber);
   verb->add_option("--checkpoint", a->options.checkpoint, "Keep the latest full state in this file");
   CLI::Option* resume = verb->add_option("--resume", a->resume,
                                          "Go on from the last full state of a trace (by default in that "
-                                         "file) or checkpoint; the scene is the file's");
+                                         "file) or checkpoint; scene, scalar and state-every are the file's");
   verb->add_option("--format", a->format, "Of the summary")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   verb->add_flag("-q,--quiet", a->quiet, "No progress on standard error");
-  resume->excludes(scene);
+  resume->excludes(scene)->excludes(scalar)->excludes(state_every);
   verb->footer(
       "Example: tps run data/scenes/terminal.json -o terminal.ndjson\n"
       "         tps run --resume terminal.ndjson");

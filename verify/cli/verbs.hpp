@@ -22,6 +22,7 @@ enum ExitCode : int {
   kUndecided = 5,
   kStalled = 6,
   kOutputFailed = 7,
+  kInternal = 70,
   kInterrupted = 130,
 };
 
