@@ -51,6 +51,8 @@ struct ClusterSample {
                          ///< "end" in a summary, where a run was cut short
   std::vector<int> sizes;     ///< particles of the observed species, descending
   int described = 0;          ///< size of the cluster that the rest is about; 0: none
+  int particles = 0;          ///< of any species in it
+  double mass = 0;            ///< of all of them
   double extent = 0;          ///< root mean square distance from the centre of mass, weighted by mass
   double relative_speed = 0;  ///< root mean square velocity relative to the centre's, weighted by mass
   double centre_speed = 0;    ///< of its centre of mass
