@@ -14,6 +14,12 @@
 
 namespace {
 
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;  // names itself
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
 std::string version_text() {
   return fmt::format("tps {}\nsemantics {}\ncompiler {}\nprecisions {}", tps::version(),
                      tps::kSemanticsVersion, __VERSION__, fmt::join(tps::scalar_names(), " "));
