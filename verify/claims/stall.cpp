@@ -35,14 +35,6 @@ double last_approach(double e, ScalarKind scalar, int collisions) {
   return difference(final_vx(before, left), final_vx(before, left + 1));
 }
 
-/// Whether a run ends by itself. A scalar that has lost the speeds in noise can also go on for ever while its
-/// clock creeps, which no count of events at one time notices; so many events are none of the n < 6000 of
-/// real ones.
-bool ends_by_itself(double e, ScalarKind scalar) {
-  constexpr std::uint64_t kManyTimesTheTruth = 16000;
-  return run_three_body(at(e), scalar, kManyTimesTheTruth).end == "no_more_events";
-}
-
 /// The c_rebound between stall and end of run, to a hundredth of its distance from e_c.
 double bisect(ScalarKind scalar, double expected) {
   const double e_c = collapse_restitution(kMiddle);
@@ -50,7 +42,7 @@ double bisect(ScalarKind scalar, double expected) {
   double ends = e_c + (expected - e_c) * 2;
   while (ends - stalls > (expected - e_c) / 100) {
     const double middle = stalls + (ends - stalls) / 2;
-    (ends_by_itself(middle, scalar) ? ends : stalls) = middle;
+    (run_three_body(at(middle), scalar).end == "stalled" ? stalls : ends) = middle;
   }
   return ends;
 }
