@@ -46,8 +46,8 @@ struct TerminalParams {
 /// first, and restitution below 1 cools the motion, so that clusters calm down before the impacts.
 ///
 /// The impacts are impulses `impact` along +x on vesicles 1, 2, … (ids from 1), the first at `impact_at`, the
-/// others following evenly until the end. They change the speed of a vesicle by 10, some ten times what is left of
-/// its thermal motion by then, so that the reaction of a cluster stands out of its agitation.
+/// others following evenly until the end. They change the speed of a vesicle by 10, some ten times what is
+/// left of its thermal motion by then, so that the reaction of a cluster stands out of its agitation.
 ///
 /// Throws std::invalid_argument when limits contradict each other or the particles do not fit.
 Scene build_terminal(const TerminalParams& params);
