@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "verify/claims/claim.hpp"
@@ -30,6 +31,9 @@ Claim clusters() {
     claim.figures.push_back(between(figure("vesicles in clusters at the end"), 24, 48,
                                     "at least half of 48 (our reading of the picture)",
                                     std::accumulate(at_end.begin(), at_end.end(), 0), 3));
+    claim.figures.push_back(between(figure("energy not accounted for, over its bound"), 0, 1,
+                                    "the ledger is closed (docs/ledger.md)",
+                                    std::abs(run.energy_remainder) / run.energy_bound, 1));
     const double excess = std::max(
         {run.worst_inner_excess, run.worst_outer_excess, run.audit_inner_excess, run.audit_outer_excess});
     // Each coordinate of each of the two is rounded on its way to the event, by time and by place.

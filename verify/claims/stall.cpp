@@ -2,8 +2,10 @@
 // gives up before.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reference/scalars.hpp"
 #include "verify/claims/claim.hpp"
@@ -104,9 +106,10 @@ Claim stall() {
   const double e_c = collapse_restitution(kMiddle);
   claim.figures.push_back(within("bound of collapse e_c", 0.9144475, 5e-8,
                                  "(1 − sin α)/(1 + sin α), cos α = 1/(1 + m_Y)", e_c, 7));
+  const std::array<std::pair<const char*, ScalarKind>, 2> scalars{
+      {{"double", ScalarKind::double_}, {"mp50", ScalarKind::mp50}}};
   for (const double e : {0.89, 0.9, 0.9144}) {
-    for (const auto& [name, scalar] :
-         {std::pair{"double", ScalarKind::double_}, {"mp50", ScalarKind::mp50}}) {
+    for (const auto& [name, scalar] : scalars) {
       claim.figures.push_back(same(fmt::format("end at c = {}, {}", e, name), "stalled",
                                    "c ≤ e_c: a collapse", run_three_body(at(e), scalar).end));
     }
