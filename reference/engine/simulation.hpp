@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -71,11 +70,9 @@ class Simulation {
     predict_touched();
   }
 
-  /// The numerical definition of a stall (docs/engine.md): in more than stall_limit() events the clock moved
-  /// by at most kStallUlps units in its last place. Not "did not move": three bodies that have lost their
-  /// approach speeds in rounding (c = 0.9145046875 in quad) creep on by one unit every few thousand events,
-  /// for ever.
-  bool stalled() const { return world_.events - progress_.event > stall_limit(); }
+  /// The numerical definition of a stall (docs/engine.md): more than stall_limit() events in a row while the
+  /// clock, rounded to the scalar, stood still.
+  bool stalled() const { return world_.events - progress_event_ > stall_limit(); }
 
   /// 10 000 + N(N − 1)/2: what N bodies can legitimately have at one instant (a row of touching equal masses
   /// sorts its velocities in N(N − 1)/2 collisions), and an allowance for three-body chains near collapse.
@@ -84,17 +81,13 @@ class Simulation {
     return 10000 + n * (n - 1) / 2;
   }
 
-  /// The last event at which the clock had moved on by more than kStallUlps units, and its time.
-  struct Progress {
-    std::uint64_t event = 0;
-    Scalar clock{0};
-  };
-  const Progress& progress() const { return progress_; }
+  /// Number of the event at which the clock last moved.
+  std::uint64_t progress_event() const { return progress_event_; }
 
   /// Takes up a state that was put into world() from outside: predicts everything again. Because a prediction
   /// is a function of stored states, the run goes on as if it had never stopped.
-  void resume(const Progress& progress) {
-    progress_ = progress;
+  void resume(std::uint64_t progress_event) {
+    progress_event_ = progress_event;
     world_.queue = {};
     predict_everything();
   }
@@ -110,8 +103,7 @@ class Simulation {
   }
 
   void note_progress(const Time<Scalar>& time) {
-    const Scalar unit = std::numeric_limits<Scalar>::epsilon() * time.hi;
-    if (time.hi - progress_.clock > Scalar(kStallUlps) * unit) progress_ = {world_.events, time.hi};
+    if (time.hi != world_.now.hi) progress_event_ = world_.events;
   }
 
   void predict_touched() {
@@ -123,8 +115,7 @@ class Simulation {
   World<Scalar, D> world_;
   std::vector<std::unique_ptr<Effect<Scalar, D>>> effects_;
   AllPairs<Scalar, D> pairs_;
-  Progress progress_;
-  static constexpr int kStallUlps = 64;
+  std::uint64_t progress_event_ = 0;
 };
 
 }  // namespace tps

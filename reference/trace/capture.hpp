@@ -172,8 +172,7 @@ StateData capture(const Simulation<Scalar, D>& simulation) {
   state.k = world.events;
   state.now = time_data(world.now);
   state.last_event = time_data(world.last_event);
-  state.progress_event = simulation.progress().event;
-  state.progress_clock = to_hex(simulation.progress().clock);
+  state.progress_event = simulation.progress_event();
   for (int i = 0; i < world.size(); ++i) {
     const ParticleState<Scalar, D>& p = world.particles[world.index(i)];
     state.particles.push_back({id(i), vector_data(p.position), vector_data(p.velocity), time_data(p.clock)});
@@ -252,7 +251,7 @@ void restore(Simulation<Scalar, D>& simulation, const StateData& state) {
   };
   visit_quantities(world.ledger, world.statistics,
                    [&](const std::string& name, auto& x) { Reader{}(x, state.quantities.at(name)); });
-  simulation.resume({state.progress_event, number_from<Scalar>(state.progress_clock)});
+  simulation.resume(state.progress_event);
 }
 
 }  // namespace tps

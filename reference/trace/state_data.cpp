@@ -63,7 +63,6 @@ std::string write_state(const StateData& state, const Hex& t) {
   line["now"] = state.now;
   line["last_event"] = state.last_event;
   line["progress_event"] = state.progress_event;
-  line["progress_clock"] = state.progress_clock;
   ordered& particles = line["particles"] = ordered::array();
   for (const StateData::Particle& p : state.particles) {
     particles.push_back(
@@ -95,7 +94,6 @@ StateData read_state(std::string_view text) {
   state.now = line.at("now");
   state.last_event = line.at("last_event");
   state.progress_event = line.at("progress_event");
-  state.progress_clock = line.at("progress_clock");
   for (const json& p : line.at("particles")) {
     state.particles.push_back({p.at("id"), p.at("position"), p.at("velocity"), p.at("clock")});
   }

@@ -56,7 +56,6 @@ struct StateData {
   bool final = false;   ///< written at the end of a run, not because K events had passed
   HexTime now, last_event;
   std::uint64_t progress_event = 0;
-  Hex progress_clock;
   std::vector<Particle> particles;
   std::vector<std::array<std::int32_t, 2>> tethers;
   std::vector<Responded> responded;
