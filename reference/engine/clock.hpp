@@ -22,16 +22,17 @@ struct Time {
   friend bool operator<=(const Time& a, const Time& b) { return !(b < a); }
 };
 
-/// The sum hi + lo with hi = fl(hi + lo), for |lo| of the size of an ulp of hi.
+/// The sum hi + lo with hi the nearest to it, for |lo| of the size of an ulp of hi.
 ///
-/// One such step suffices where subtraction rounds to nearest. Boost 1.74's cpp_bin_float rounds it to within
-/// 0.75 ulp only: h − 0.285 ulp(h) is h − ulp(h) there, which leaves hi = h − ulp, lo = +0.715 ulp, a second
-/// spelling of the same time. Its additions do round to nearest, so a second step puts that right; for other
-/// types it changes nothing.
+/// One step suffices where subtraction rounds to nearest. Boost 1.74's cpp_bin_float rounds it to within 0.75
+/// ulp only: h − 0.4 ulp(h) is h − ulp(h) there, which would leave hi = h − ulp, lo = +0.6 ulp, a second
+/// spelling of the same time. Its additions do round to nearest, so that a second step upwards puts that
+/// right. For other types it changes nothing.
 template <typename Scalar>
 Time<Scalar> normalised(const Scalar& hi, const Scalar& lo) {
   const Scalar first = hi + lo;
   const Scalar rest = lo - (first - hi);
+  if (!(rest > Scalar(0))) return {first, rest};
   const Scalar second = first + rest;
   return {second, rest - (second - first)};
 }

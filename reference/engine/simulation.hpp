@@ -39,6 +39,8 @@ constexpr std::string_view name(EndReason reason) {
 template <typename Scalar, int D>
 class Simulation {
  public:
+  /// The scene is not copied and must outlive the simulation.
+  explicit Simulation(Scene&&) = delete;
   explicit Simulation(const Scene& scene)
       : world_(scene), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
     world_.coupling = std::make_unique<FreeCoupling<Scalar, D>>();

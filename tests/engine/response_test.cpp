@@ -34,7 +34,8 @@ Scene receding_contact() {
 }
 
 TEST(Response, AWrongSignAtTheInnerLimitStandsWithoutImpulse) {
-  Simulation<double, 2> simulation(receding_contact());
+  const Scene scene = receding_contact();
+  Simulation<double, 2> simulation(scene);
   const Record<double, 2> record = respond_now(simulation);
   EXPECT_EQ(record.kind, "rebound");
   EXPECT_EQ(*record.dp, Vec(0, 0));

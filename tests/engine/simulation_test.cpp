@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "reference/engine/group_coupling.hpp"
@@ -35,6 +37,20 @@ TEST(Clock, ElapsedIsTheRoundedDifference) {
       EXPECT_EQ(elapsed(early, next), (exact(next) - exact(early)).convert_to<double>());
     }
     t = next;
+  }
+}
+
+// Found in quad: a collapsed run whose clock toggled between two spellings of one time was not seen to stand
+// still.
+TEST(Clock, HasOneSpellingForATime) {
+  using Quad = boost::multiprecision::cpp_bin_float_quad;
+  const Quad ulp = std::numeric_limits<Quad>::epsilon();
+  const Quad h = Quad(1) + 3 * ulp;
+  for (int n = -999; n < 1000; ++n) {
+    const Time<Quad> t = after({h, Quad(0)}, Quad(ulp * n / 1000));
+    EXPECT_EQ(after(t, Quad(0)), t) << n;
+    EXPECT_LE(abs(t.lo), ulp / 2) << n;                                      // hi is the nearest
+    EXPECT_LE(abs(Quad(t.hi - h) + t.lo - ulp * n / 1000), ulp * ulp) << n;  // the error that after() states
   }
 }
 
