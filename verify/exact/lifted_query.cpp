@@ -1,0 +1,91 @@
+#include "verify/exact/lifted_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tps::exact {
+namespace {
+
+/// x = mantissa · 2^exponent with an odd mantissa, or 0 with the largest exponent.
+struct Dyadic {
+  std::int64_t mantissa;
+  int exponent;
+};
+
+Dyadic dyadic(double x) {
+  if (x == 0) return {0, std::numeric_limits<int>::max()};
+  int exponent = 0;
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+  exponent -= 53;
+  while (mantissa % 2 == 0) {
+    mantissa /= 2;
+    ++exponent;
+  }
+  return {mantissa, exponent};
+}
+
+int smallest_exponent(const Vec3& x, const Vec3& y) {
+  int smallest = std::numeric_limits<int>::max();
+  for (const double component : x) smallest = std::min(smallest, dyadic(component).exponent);
+  for (const double component : y) smallest = std::min(smallest, dyadic(component).exponent);
+  return smallest;
+}
+
+/// x / 2^unit.
+Integer lifted(double x, int unit) {
+  const Dyadic d = dyadic(x);
+  if (d.mantissa == 0) return 0;
+  return Integer(d.mantissa) << static_cast<unsigned>(d.exponent - unit);
+}
+
+std::array<Integer, 3> lifted_difference(const Vec3& y, const Vec3& x, int unit) {
+  std::array<Integer, 3> difference;
+  for (std::size_t k = 0; k < 3; ++k) difference[k] = lifted(y[k], unit) - lifted(x[k], unit);
+  return difference;
+}
+
+Integer dot(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+std::uint64_t bits(const Integer& x) {
+  return x == 0 ? 0 : msb(abs(x)) + 1;
+}
+
+}  // namespace
+
+LiftUnits units_of(const TimingQuery& query) {
+  return {std::min(smallest_exponent(query.u_A, query.u_B), dyadic(query.L).exponent),
+          smallest_exponent(query.v_A, query.v_B)};
+}
+
+LiftUnits common_units(const LiftUnits& first, const LiftUnits& second) {
+  return {std::min(first.length, second.length), std::min(first.speed, second.speed)};
+}
+
+LiftedQuadratic lifted_quadratic(const TimingQuery& query, const LiftUnits& units) {
+  const std::array<Integer, 3> r = lifted_difference(query.u_B, query.u_A, units.length);
+  const std::array<Integer, 3> v = lifted_difference(query.v_B, query.v_A, units.speed);
+  const Integer L = lifted(query.L, units.length);
+  const Integer a = dot(v, v);
+  const Integer h = dot(r, v);
+  const Integer c = dot(r, r) - L * L;
+  const Integer D = h * h - a * c;
+  return {a, h, c, D, units.length - units.speed};
+}
+
+Sign sign_of(const Integer& x) {
+  const int sign = x.sign();
+  return sign < 0 ? Sign::negative : sign > 0 ? Sign::positive : Sign::zero;
+}
+
+Verdict verdict_of(Kind kind, const LiftedQuadratic& quadratic) {
+  return *decide(kind, sign_of(quadratic.h), sign_of(quadratic.c), sign_of(quadratic.D));
+}
+
+std::uint64_t largest_bits(const LiftedQuadratic& quadratic) {
+  return std::max({bits(quadratic.a), bits(quadratic.h), bits(quadratic.c), bits(quadratic.D)});
+}
+
+}  // namespace tps::exact
