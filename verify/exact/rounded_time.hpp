@@ -1,0 +1,31 @@
+// The correctly rounded time of a timing query.
+#pragma once
+
+#include <optional>
+
+#include "verify/exact/counters.hpp"
+#include "verify/exact/timing_query.hpp"
+#include "verify/exact/verdict.hpp"
+
+namespace tps::exact {
+
+/// The certified answer to a timing query.
+struct TimingAnswer {
+  Verdict verdict;
+  std::optional<double> t;  ///< absent where there is no event; infinity where the time exceeds every double
+};
+
+/// Exact verdict, and the double nearest to the exact time (ties to even, overflow to infinity, subnormals
+/// and underflow to zero as IEEE 754 rounds).
+///
+/// REQUIRES valid(query). Laws:
+///   (1) the time is the rounding of the real number, whatever stage found it;
+///   (2) exchanging A and B changes nothing;
+///   (3) multiplying lengths by 2^k and velocities by 2^m multiplies t by 2^(k−m) while all are normal
+///   doubles.
+TimingAnswer rounded_time(const TimingQuery& query, Counters& counters);
+
+/// The same by integers alone: what the fast path is compared with.
+TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters);
+
+}  // namespace tps::exact
