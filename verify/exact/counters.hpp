@@ -8,9 +8,10 @@ namespace tps::exact {
 /// Counts of one operation (verdict, time or order).
 /// Laws: (1) exact ≤ uncertain ≤ calls; (2) uncertain − exact questions were settled by double words.
 struct StageCounts {
-  std::uint64_t calls = 0;      ///< questions asked
-  std::uint64_t uncertain = 0;  ///< not settled in double, or out of its range
-  std::uint64_t exact = 0;      ///< settled by integers
+  std::uint64_t calls = 0;  ///< questions asked
+  std::uint64_t uncertain =
+      0;                    ///< not settled by the first stage (a time: one Newton step), or out of its range
+  std::uint64_t exact = 0;  ///< settled by integers
 };
 
 /// Counters of every filter, given by reference and owned by the caller: one a thread.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/exact_root.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/refined_root.hpp"
@@ -9,18 +10,26 @@
 namespace tps::exact {
 namespace {
 
-/// The rounded time by at most two Newton steps; the second serves where the first double was poor.
-std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoefficients& known) {
-  if (!known.coefficients.in_range) return std::nullopt;
-  double t = approximate_time(query.kind, known.verdict, known.coefficients);
-  for (int step = 0; step < 2; ++step) {
-    const std::optional<RefinedTime> refined = refined_time(query, known.verdict, t);
-    if (!refined) return std::nullopt;
-    const std::optional<double> rounded = refined->rounded();
-    if (rounded) return rounded;
-    t += refined->correction;
+/// The rounded time by one Newton step, or a second one where the first double was poor: from the first's
+/// result if that has a bound, else (next to a graze, where D has lost its digits) from coefficients in
+/// double words.
+std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoefficients& known,
+                                Counters& counters) {
+  if (!known.coefficients.in_range) {
+    ++counters.time.uncertain;
+    return std::nullopt;
   }
-  return std::nullopt;
+  const double t = approximate_time(query.kind, known.verdict, known.coefficients);
+  const std::optional<RefinedTime> once = refined_time(query, known.verdict, t);
+  if (once) {
+    const std::optional<double> rounded = once->rounded();
+    if (rounded) return rounded;
+  }
+  ++counters.time.uncertain;
+  const double better = once ? once->t + once->correction
+                             : approximate_time(query.kind, known.verdict, double_word_coefficients(query));
+  const std::optional<RefinedTime> twice = refined_time(query, known.verdict, better);
+  return twice ? twice->rounded() : std::nullopt;
 }
 
 double time_by_integers(const TimingQuery& query, Verdict verdict, Counters& counters) {
@@ -36,9 +45,8 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
   if (!occurs(known.verdict)) return {known.verdict, std::nullopt};
   ++counters.time.calls;
   if (at_once(known.verdict)) return {known.verdict, 0.0};
-  const std::optional<double> fast = fast_time(query, known);
+  const std::optional<double> fast = fast_time(query, known, counters);
   if (fast) return {known.verdict, fast};
-  ++counters.time.uncertain;
   ++counters.time.exact;
   return {known.verdict, time_by_integers(query, known.verdict, counters)};
 }
