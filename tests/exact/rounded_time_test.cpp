@@ -99,6 +99,20 @@ TEST(RoundedTime, KnownCases) {
   EXPECT_EQ(time(relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1)), 0);
 }
 
+TEST(RoundedTime, ScalingByPowersOfTwo) {
+  strata::Random random(12);
+  for (int i = 0; i < 200; ++i) {
+    const TimingQuery query = strata::plain(random, Kind::tether);
+    Counters counters;
+    const std::optional<double> t = rounded_time(query, counters).t;
+    // 2^-900 and 2^-300: outside the filters' range, inside the normal doubles.
+    const std::optional<double> scaled = rounded_time(strata::scaled(query, -900, -300), counters).t;
+    if (t && *t > 0x1p-300) {
+      EXPECT_EQ(*scaled, std::ldexp(*t, -600));
+    }
+  }
+}
+
 // The textbook root is off by 3.8 %, the cancellation-free one by 3e-16.
 TEST(RoundedTime, JustOutsideTheLimit) {
   const TimingQuery query = relative(Kind::block, {1 + 0x1p-50, 0, 0}, {-.75, .4, 0}, 1);

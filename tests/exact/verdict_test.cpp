@@ -54,6 +54,26 @@ TEST_P(Strata, ExchangingTheParticlesChangesNothing) {
   }
 }
 
+// Powers of two, and an offset that all the sums can hold: multiples of 2^-20 below 2^10 in size.
+TEST(VerdictLaws, ScalingAndOffset) {
+  strata::Random random(8);
+  const auto rounded = [](Vec3& x, double offset) {
+    for (double& component : x) component = std::ldexp(std::round(std::ldexp(component, 20)), -20) + offset;
+  };
+  for (int i = 0; i < 500; ++i) {
+    TimingQuery query = strata::plain(random, i % 2 == 0 ? Kind::block : Kind::tether);
+    for (Vec3* x : {&query.u_A, &query.u_B, &query.v_A, &query.v_B}) rounded(*x, 0);
+    const std::string before = verdict_name(query);
+    EXPECT_EQ(verdict_name(strata::scaled(query, 700, -650)), before);
+    TimingQuery moved = query;
+    rounded(moved.u_A, 1000);
+    rounded(moved.u_B, 1000);
+    rounded(moved.v_A, -517);
+    rounded(moved.v_B, -517);
+    EXPECT_EQ(verdict_name(moved), before);
+  }
+}
+
 std::string stratum_name(const testing::TestParamInfo<strata::Stratum>& stratum) {
   return stratum.param.name;
 }
