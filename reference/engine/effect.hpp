@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/engine/clock.hpp"
+#include "reference/engine/effect_call.hpp"
 #include "reference/engine/laws.hpp"
 #include "reference/engine/queue.hpp"
 #include "reference/equations/vector.hpp"
@@ -25,15 +26,6 @@ template <typename Scalar, int D>
 struct PairView {
   int i, j;  ///< i < j
   Vector<Scalar, D> u_i, u_j, v_i, v_j;
-};
-
-/// Whether a scene calls for an effect, for people: `tps explain`.
-struct EffectCall {
-  std::string name;
-  std::string what;                  ///< in a few words, with its equations
-  std::vector<std::string> because;  ///< places of the scene that call for it; empty: not simulated
-  std::string called_by;             ///< what in a scene would call for it
-  std::string cost;                  ///< what it adds to the run, in particles, pairs, events
 };
 
 /// "species A - species B", as a place of a scene.

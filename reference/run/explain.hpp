@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/engine/effect.hpp"
+#include "reference/engine/effect_call.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
