@@ -31,7 +31,7 @@ bool is_permanent(const TetheringLaw& law) {
 }
 
 std::string pair_name(const Scene& scene, int a, int b) {
-  return fmt::format("{} and {}", quoted(species_of(scene, a).name), quoted(species_of(scene, b).name));
+  return fmt::format("{} and {}", in_quotes(species_of(scene, a).name), in_quotes(species_of(scene, b).name));
 }
 
 // "0.5", and "inf" where a sum of radii overflows.
@@ -212,7 +212,7 @@ void check_tethers(const Scene& scene, SceneSource& source) {
       if (!species.max_tethers || count <= *species.max_tethers) continue;
       source.report(pointer,
                     fmt::format("this is tether number {} of particle {}; \"max_tethers\" of {} is {}", count,
-                                particle.id, quoted(species.name), *species.max_tethers));
+                                particle.id, in_quotes(species.name), *species.max_tethers));
     }
   }
 }

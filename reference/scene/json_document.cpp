@@ -234,9 +234,8 @@ std::string TreeBuilder::describe(const nlohmann::json::exception& error) const 
   constexpr int number_overflow = 406;  // "out_of_range.406" of the library
   const std::string word(current_word());
   if (error.id == number_overflow) {
-    return fmt::format("number {} is beyond the largest double, {}",
-                       word.size() > longest_quote ? word.substr(0, longest_quote) + "…" : word,
-                       std::numeric_limits<double>::max());
+    return fmt::format("number {}{} is beyond the largest double, {}", word.substr(0, longest_quote),
+                       word.size() > longest_quote ? "…" : "", std::numeric_limits<double>::max());
   }
   std::string lower;
   for (const char c : word) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

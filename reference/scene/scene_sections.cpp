@@ -108,8 +108,9 @@ class Sections {
   std::optional<int> species_index(const JsonValue& value, const std::string& pointer) {
     const auto found = index_of_.find(*value.string());
     if (found != index_of_.end()) return found->second;
-    source_.report(pointer, fmt::format("no species is named {}; the nearest is {}", quoted(*value.string()),
-                                        quoted(nearest_name(*value.string(), names_))));
+    source_.report(pointer,
+                   fmt::format("no species is named {}; the nearest is {}", in_quotes(*value.string()),
+                               in_quotes(nearest_name(*value.string(), names_))));
     return std::nullopt;
   }
 
@@ -134,11 +135,12 @@ class Sections {
       if (!pair) continue;
       const auto [first, is_new] = entry_of.emplace(*pair, k);
       if (!is_new) {
-        source_.report(pointer + "/between",
-                       fmt::format("the pair {} and {} stands in /pairs/{} (line {}) already; join the two "
-                                   "entries",
-                                   quoted(species(pair->first).name), quoted(species(pair->second).name),
-                                   first->second, list[first->second].line));
+        source_.report(
+            pointer + "/between",
+            fmt::format("the pair {} and {} stands in /pairs/{} (line {}) already; join the two "
+                        "entries",
+                        in_quotes(species(pair->first).name), in_quotes(species(pair->second).name),
+                        first->second, list[first->second].line));
         continue;
       }
       scene_.pairs.push_back(read_pair(list[k], *pair));

@@ -180,7 +180,7 @@ class Validation {
       const JsonValue* property = properties == nullptr ? nullptr : properties->find(key);
       const std::string allowed = property == nullptr ? "" : describe_allowed(schema.at(*property));
       add(value.line, path,
-          fmt::format("key {} is missing{}", quoted(key), allowed.empty() ? "" : "; it holds " + allowed));
+          fmt::format("key {} is missing{}", in_quotes(key), allowed.empty() ? "" : "; it holds " + allowed));
     }
     std::vector<std::string> one_of;
     for (const JsonValue& alternative : schema.list("anyOf")) {
@@ -201,12 +201,13 @@ class Validation {
       }
     }
     if (known.empty()) {
-      add(member.key_line, path, fmt::format("unknown key {}; no key is allowed here", quoted(member.key)));
+      add(member.key_line, path,
+          fmt::format("unknown key {}; no key is allowed here", in_quotes(member.key)));
       return;
     }
     add(member.key_line, path,
-        fmt::format("unknown key {}; the nearest known key is {}; allowed: {}", quoted(member.key),
-                    quoted(nearest_name(member.key, known)), quoted_list(known, ", ")));
+        fmt::format("unknown key {}; the nearest known key is {}; allowed: {}", in_quotes(member.key),
+                    in_quotes(nearest_name(member.key, known)), quoted_list(known, ", ")));
   }
 
   // The alternative that was meant is the one whose type fits and, among objects, the one of whose required

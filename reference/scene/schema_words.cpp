@@ -148,14 +148,14 @@ std::string describe_found(const JsonValue& value) {
   if (value.is_null()) return "null";
   if (const bool* boolean = value.boolean()) return *boolean ? "true" : "false";
   if (const JsonNumber* number = value.number()) return write_shortest(number->value);
-  if (const std::string* string = value.string()) return quoted(*string);
+  if (const std::string* string = value.string()) return in_quotes(*string);
   if (const JsonValue::Array* array = value.array()) {
     return fmt::format("a list of {} {}", array->size(), array->size() == 1 ? "entry" : "entries");
   }
   return describe_keys(*value.object());
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string result = "\"";
   std::size_t characters = 0;
@@ -175,7 +175,7 @@ std::string quoted(std::string_view text) {
 
 std::string quoted_list(const std::vector<std::string>& names, std::string_view last_joint) {
   std::vector<std::string> parts;
-  for (const std::string& name : names) parts.push_back(quoted(name));
+  for (const std::string& name : names) parts.push_back(in_quotes(name));
   return joined(parts, last_joint);
 }
 

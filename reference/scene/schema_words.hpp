@@ -41,7 +41,7 @@ std::string describe_found(const JsonValue& value);
 std::string quoted_list(const std::vector<std::string>& names, std::string_view last_joint);
 
 /// A text in quotes as JSON would write it, cut after 60 characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Same value of the same type.
 bool same_json(const JsonValue& a, const JsonValue& b);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reference/scene/random.hpp"
 #include "tests/run/traced_run.hpp"
@@ -19,8 +18,6 @@ using testing::plain_scene;
 using testing::traced;
 using testing::TracedEvent;
 using testing::TracedRun;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Two balls that hit each other at t = 1 with relative speed 2, and may become tethered (distance 2).
 Scene meeting(FormRule form) {
@@ -147,7 +144,7 @@ TEST(Breaking, WhenTheImpulseIsAboveTheThreshold) {
 TEST(Containment, IsAPermanentTetherToAnInfiniteMass) {
   Scene scene = plain_scene(3);
   scene.species[0].max_tethers = 0;  // a permanent tether is not counted
-  const int membrane = add_species(scene, "membrane", kInfinity, 4);
+  const int membrane = add_species(scene, "membrane", HUGE_VAL, 4);
   testing::tether(scene, 0, membrane, 3.5, 1, FormRule::When::permanent);
   block(scene, 0, 0);
   add_particle(scene, membrane, {0, 0, 0});
@@ -176,7 +173,7 @@ TEST(Phases, HoldFromTheirStartUntilJustBeforeTheirEnd) {
   const double behind = std::nextafter(.5, 1.);
   for (const Case& c :
        {Case{.5, 1, "break"}, Case{0, .5, "retract"}, Case{0, behind, "break"}, Case{behind, 1, "retract"},
-        Case{before, behind, "break"}, Case{0, kInfinity, "break"}}) {
+        Case{before, behind, "break"}, Case{0, HUGE_VAL, "break"}}) {
     Scene scene = parting({});
     scene.phases = {{.from = c.from,
                      .until = c.until,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "reference/scene/builders/gas.hpp"
@@ -19,8 +18,6 @@ using testing::plain_scene;
 using testing::traced;
 using testing::TracedEvent;
 using testing::TracedRun;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Balls of diameter 1 in a row, `gap` apart, the first one moving with velocity 1; it arrives at t = 1.
 Scene row(int n, double gap, double dt_restitute, double c = 1) {
@@ -132,7 +129,7 @@ TEST(Grouping, PairsInsideAGroupHaveNoEvents) {
 /// A wall of infinite mass at the origin, balls that reach it from the right at the given times.
 Scene walled(const std::vector<double>& arrivals, double dt_restitute) {
   Scene scene = plain_scene();
-  const int wall = add_species(scene, "wall", kInfinity, .5);
+  const int wall = add_species(scene, "wall", HUGE_VAL, .5);
   block(scene, 0, 0);
   block(scene, 0, wall);
   add_particle(scene, wall, {0, 0, 0});

@@ -22,10 +22,6 @@ using referee::Wide;
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
-TimingQuery relative(Kind kind, Vec3 r, Vec3 v, double L) {
-  return {kind, {0, 0, 0}, r, {0, 0, 0}, v, L};
-}
-
 /// The middle between a finite double x ≥ 0 and the next larger one, where "the next" after the largest is
 /// 2^1024.
 Wide middle_above(double x) {
@@ -79,11 +75,7 @@ TEST_P(TimeStrata, IsTheNearestDouble) {
   }
 }
 
-std::string stratum_name(const testing::TestParamInfo<strata::Stratum>& stratum) {
-  return stratum.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, TimeStrata, testing::ValuesIn(strata::all(20260102, 150)), stratum_name);
+INSTANTIATE_TEST_SUITE_P(, TimeStrata, testing::ValuesIn(strata::all(20260102, 150)), strata::Name{});
 
 double time(const TimingQuery& query) {
   Counters counters;
@@ -91,12 +83,12 @@ double time(const TimingQuery& query) {
 }
 
 TEST(RoundedTime, KnownCases) {
-  EXPECT_EQ(time(relative(Kind::block, {-10, 3, 0}, {1, 0, 0}, 5)), 6);
-  EXPECT_EQ(time(relative(Kind::tether, {-10, 3, 0}, {1, 0, 0}, 5)), 14);
-  EXPECT_EQ(time(relative(Kind::tether, {2, 0, 0}, {-1, 0, 0}, 2)), 4);
-  EXPECT_EQ(time(relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4)), 3);
-  EXPECT_EQ(time(relative(Kind::tether, {-3, 4, 0}, {3, 0, 0}, 4)), 1);
-  EXPECT_EQ(time(relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1)), 0);
+  EXPECT_EQ(time(strata::relative(Kind::block, {-10, 3, 0}, {1, 0, 0}, 5)), 6);
+  EXPECT_EQ(time(strata::relative(Kind::tether, {-10, 3, 0}, {1, 0, 0}, 5)), 14);
+  EXPECT_EQ(time(strata::relative(Kind::tether, {2, 0, 0}, {-1, 0, 0}, 2)), 4);
+  EXPECT_EQ(time(strata::relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4)), 3);
+  EXPECT_EQ(time(strata::relative(Kind::tether, {-3, 4, 0}, {3, 0, 0}, 4)), 1);
+  EXPECT_EQ(time(strata::relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1)), 0);
 }
 
 TEST(RoundedTime, ScalingByPowersOfTwo) {
@@ -115,7 +107,7 @@ TEST(RoundedTime, ScalingByPowersOfTwo) {
 
 // The textbook root is off by 3.8 %, the cancellation-free one by 3e-16.
 TEST(RoundedTime, JustOutsideTheLimit) {
-  const TimingQuery query = relative(Kind::block, {1 + 0x1p-50, 0, 0}, {-.75, .4, 0}, 1);
+  const TimingQuery query = strata::relative(Kind::block, {1 + 0x1p-50, 0, 0}, {-.75, .4, 0}, 1);
   EXPECT_TRUE(nearest(time(query), *referee::time(query)));
 }
 
@@ -130,13 +122,14 @@ TEST(RoundedTime, TiesGoToEven) {
 }
 
 TEST(RoundedTime, OverflowAndUnderflow) {
-  EXPECT_EQ(time(relative(Kind::block, {2, 0, 0}, {-smallest, 0, 0}, 1)), HUGE_VAL);
-  EXPECT_EQ(time(relative(Kind::block, {2 * smallest, 0, 0}, {-1, 0, 0}, smallest)), smallest);
-  EXPECT_EQ(time(relative(Kind::block, {4 * smallest, 0, 0}, {-2, 0, 0}, smallest)),
-            2 * smallest);                                                                       // 1.5: even
-  EXPECT_EQ(time(relative(Kind::block, {2 * smallest, 0, 0}, {-2, 0, 0}, smallest)), 0);         // 0.5: even
-  EXPECT_EQ(time(relative(Kind::block, {4 * smallest, 0, 0}, {-5, 0, 0}, smallest)), smallest);  // 0.6
-  EXPECT_EQ(time(relative(Kind::block, {2 * smallest, 0, 0}, {-4, 0, 0}, smallest)), 0);         // 0.25
+  EXPECT_EQ(time(strata::relative(Kind::block, {2, 0, 0}, {-smallest, 0, 0}, 1)), HUGE_VAL);
+  EXPECT_EQ(time(strata::relative(Kind::block, {2 * smallest, 0, 0}, {-1, 0, 0}, smallest)), smallest);
+  EXPECT_EQ(time(strata::relative(Kind::block, {4 * smallest, 0, 0}, {-2, 0, 0}, smallest)),
+            2 * smallest);                                                                        // 1.5: even
+  EXPECT_EQ(time(strata::relative(Kind::block, {2 * smallest, 0, 0}, {-2, 0, 0}, smallest)), 0);  // 0.5: even
+  EXPECT_EQ(time(strata::relative(Kind::block, {4 * smallest, 0, 0}, {-5, 0, 0}, smallest)),
+            smallest);                                                                            // 0.6
+  EXPECT_EQ(time(strata::relative(Kind::block, {2 * smallest, 0, 0}, {-4, 0, 0}, smallest)), 0);  // 0.25
   // The largest double, and where rounding takes over to infinity: 2^1024 − 2^970.
   const auto nearly = [](double part) {
     return TimingQuery{Kind::block, {-largest, 0, 0}, {0x1p960, 0, 0}, {0, 0, 0}, {-1, 0, 0}, part};

@@ -152,6 +152,10 @@ TimingQuery graze(Kind kind, int k, double side, double x0, int turn) {
   return {kind, zero, {-3 * x0 - 4 * offset, -4 * x0 + 3 * offset, 0}, zero, {3, 4, 0}, 5};
 }
 
+TimingQuery relative(Kind kind, Vec3 r, Vec3 v, double L) {
+  return {kind, {0, 0, 0}, r, {0, 0, 0}, v, L};
+}
+
 std::string text(const TimingQuery& query) {
   std::ostringstream out;
   out << std::hexfloat << (query.kind == Kind::block ? "block" : "tether");

@@ -30,6 +30,17 @@ struct Stratum {
   friend std::ostream& operator<<(std::ostream& out, const Stratum& stratum) { return out << stratum.name; }
 };
 
+/// Names the parametrised tests.
+struct Name {
+  template <typename TestParamInfo>
+  std::string operator()(const TestParamInfo& stratum) const {
+    return stratum.param.name;
+  }
+};
+
+/// A at rest in the origin.
+TimingQuery relative(Kind kind, Vec3 r, Vec3 v, double L);
+
 /// The query in hexadecimal, for messages.
 std::string text(const TimingQuery& query);
 

@@ -15,10 +15,6 @@ namespace {
 
 using referee::Wide;
 
-TimingQuery relative(Kind kind, Vec3 r, Vec3 v, double L) {
-  return {kind, {0, 0, 0}, r, {0, 0, 0}, v, L};
-}
-
 /// Agreement to 480 digits counts as a tie: algebraic numbers of these sizes differ earlier or not at all.
 std::string expected_order(const TimingQuery& first, const TimingQuery& second) {
   static const Wide unit = pow(Wide(10), -480);
@@ -79,26 +75,22 @@ TEST_P(OrderStrata, TheSameTimeInOtherNumbers) {
   }
 }
 
-std::string stratum_name(const testing::TestParamInfo<strata::Stratum>& stratum) {
-  return stratum.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, OrderStrata, testing::ValuesIn(strata::all(20260103, 100)), stratum_name);
+INSTANTIATE_TEST_SUITE_P(, OrderStrata, testing::ValuesIn(strata::all(20260103, 100)), strata::Name{});
 
 TEST(TimeOrder, ExactTieAndItsNeighbours) {
-  const TimingQuery first = relative(Kind::block, {-10, 3, 0}, {1, 0, 0}, 5);
-  EXPECT_EQ(order(first, relative(Kind::block, {-11, 0, 0}, {1, 0, 0}, 5)), "equal");
-  EXPECT_EQ(order(first, relative(Kind::block, {-11 - 0x1p-40, 0, 0}, {1, 0, 0}, 5)), "before");
-  EXPECT_EQ(order(first, relative(Kind::block, {-11 + 0x1p-40, 0, 0}, {1, 0, 0}, 5)), "after");
-  EXPECT_EQ(order(first, relative(Kind::tether, {-1, 0, 0}, {1, 0, 0}, 5)), "equal");
-  EXPECT_EQ(order(first, relative(Kind::tether, {-6, 8, 0}, {1, 0, 0}, 7)), "equal");  // turning at 6
+  const TimingQuery first = strata::relative(Kind::block, {-10, 3, 0}, {1, 0, 0}, 5);
+  EXPECT_EQ(order(first, strata::relative(Kind::block, {-11, 0, 0}, {1, 0, 0}, 5)), "equal");
+  EXPECT_EQ(order(first, strata::relative(Kind::block, {-11 - 0x1p-40, 0, 0}, {1, 0, 0}, 5)), "before");
+  EXPECT_EQ(order(first, strata::relative(Kind::block, {-11 + 0x1p-40, 0, 0}, {1, 0, 0}, 5)), "after");
+  EXPECT_EQ(order(first, strata::relative(Kind::tether, {-1, 0, 0}, {1, 0, 0}, 5)), "equal");
+  EXPECT_EQ(order(first, strata::relative(Kind::tether, {-6, 8, 0}, {1, 0, 0}, 7)), "equal");  // turning at 6
 }
 
 TEST(TimeOrder, EventsAtOnceAndNoEvents) {
-  const TimingQuery contact = relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1);
-  const TimingQuery taut = relative(Kind::tether, {1, 0, 0}, {0, 1, 0}, 1);
-  const TimingQuery miss = relative(Kind::block, {-3, 2, 0}, {1, 0, 0}, 1);
-  const TimingQuery soon = relative(Kind::block, {0x1p-1000, 0, 0}, {-0x1p1000, 0, 0}, 0x1p-1001);
+  const TimingQuery contact = strata::relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1);
+  const TimingQuery taut = strata::relative(Kind::tether, {1, 0, 0}, {0, 1, 0}, 1);
+  const TimingQuery miss = strata::relative(Kind::block, {-3, 2, 0}, {1, 0, 0}, 1);
+  const TimingQuery soon = strata::relative(Kind::block, {0x1p-1000, 0, 0}, {-0x1p1000, 0, 0}, 0x1p-1001);
   EXPECT_EQ(order(contact, taut), "equal");
   EXPECT_EQ(order(contact, soon), "before");
   EXPECT_EQ(order(contact, miss), "before");
@@ -109,13 +101,13 @@ TEST(TimeOrder, EventsAtOnceAndNoEvents) {
 // √2-like ties: roots of quadratics with different discriminants that are equal, and one that is not by
 // 2^-1000.
 TEST(TimeOrder, IrrationalTies) {
-  const TimingQuery one = relative(Kind::block, {-7, 1, 0}, {1, 0, 0}, 3);  // 7 − √8
-  EXPECT_EQ(order(one, relative(Kind::block, {-21, 3, 0}, {3, 0, 0}, 9)), "equal");
-  EXPECT_EQ(order(one, relative(Kind::block, {-7, 0, 2}, {1, 0, 0}, 3)), "before");
-  const TimingQuery nearly = relative(Kind::block, {-14, 14, 0}, {2, 0, 0}, std::sqrt(228.0));
+  const TimingQuery one = strata::relative(Kind::block, {-7, 1, 0}, {1, 0, 0}, 3);  // 7 − √8
+  EXPECT_EQ(order(one, strata::relative(Kind::block, {-21, 3, 0}, {3, 0, 0}, 9)), "equal");
+  EXPECT_EQ(order(one, strata::relative(Kind::block, {-7, 0, 2}, {1, 0, 0}, 3)), "before");
+  const TimingQuery nearly = strata::relative(Kind::block, {-14, 14, 0}, {2, 0, 0}, std::sqrt(228.0));
   EXPECT_NE(order(one, nearly), "equal");
   expect_order(one, nearly);
-  EXPECT_EQ(order(one, relative(Kind::block, {-7, 1, 0x1p-500}, {1, 0, 0}, 3)), "before");
+  EXPECT_EQ(order(one, strata::relative(Kind::block, {-7, 1, 0x1p-500}, {1, 0, 0}, 3)), "before");
 }
 
 // sign(X + Y√A + Z√B) against every small case, computed in 500 digits.

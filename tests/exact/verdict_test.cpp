@@ -15,10 +15,6 @@
 namespace tps::exact {
 namespace {
 
-TimingQuery relative(Kind kind, Vec3 r, Vec3 v, double L) {
-  return {kind, {0, 0, 0}, r, {0, 0, 0}, v, L};
-}
-
 std::string verdict_name(const TimingQuery& query) {
   Counters counters;
   return std::string(name(exact_verdict(query, counters)));
@@ -74,30 +70,26 @@ TEST(VerdictLaws, ScalingAndOffset) {
   }
 }
 
-std::string stratum_name(const testing::TestParamInfo<strata::Stratum>& stratum) {
-  return stratum.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, Strata, testing::ValuesIn(strata::all(20260101, 300)), stratum_name);
+INSTANTIATE_TEST_SUITE_P(, Strata, testing::ValuesIn(strata::all(20260101, 300)), strata::Name{});
 
 TEST(Verdict, KnownCases) {
-  EXPECT_EQ(verdict_name(relative(Kind::block, {1, 0, 0}, {1, 0, 0}, 1)), "receding");
-  EXPECT_EQ(verdict_name(relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1)), "contact");
-  EXPECT_EQ(verdict_name(relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1.5)), "overlap");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {2, 0, 0}, {-1, 0, 0}, 2)), "hit");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {2, 0, 0}, {0, 1, 0}, 2)), "taut");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {3, 0, 0}, {0, 1, 0}, 2)), "overstretched");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4)), "turning");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4.5)), "hit");
-  EXPECT_EQ(verdict_name(relative(Kind::tether, {-3, 4, 0}, {0, 0, 0}, 4)), "static");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {1, 0, 0}, {1, 0, 0}, 1)), "receding");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1)), "contact");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {1, 0, 0}, {-1, 0, 0}, 1.5)), "overlap");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {2, 0, 0}, {-1, 0, 0}, 2)), "hit");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {2, 0, 0}, {0, 1, 0}, 2)), "taut");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {3, 0, 0}, {0, 1, 0}, 2)), "overstretched");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4)), "turning");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {-3, 4, 0}, {1, 0, 0}, 4.5)), "hit");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::tether, {-3, 4, 0}, {0, 0, 0}, 4)), "static");
 }
 
 // The literal discriminant is 0.0 on both sides from x0 = 1e4 on.
 TEST(Verdict, GrazeBesideItsMirrorImage) {
   for (const double x0 : {1.0, 1e4, 1e8, 1e15}) {
-    EXPECT_EQ(verdict_name(relative(Kind::block, {-x0, 1 - 0x1p-30, 0}, {1, 0, 0}, 1)), "hit");
-    EXPECT_EQ(verdict_name(relative(Kind::block, {-x0, 1, 0}, {1, 0, 0}, 1)), "tangent");
-    EXPECT_EQ(verdict_name(relative(Kind::block, {-x0, 1 + 0x1p-30, 0}, {1, 0, 0}, 1)), "miss");
+    EXPECT_EQ(verdict_name(strata::relative(Kind::block, {-x0, 1 - 0x1p-30, 0}, {1, 0, 0}, 1)), "hit");
+    EXPECT_EQ(verdict_name(strata::relative(Kind::block, {-x0, 1, 0}, {1, 0, 0}, 1)), "tangent");
+    EXPECT_EQ(verdict_name(strata::relative(Kind::block, {-x0, 1 + 0x1p-30, 0}, {1, 0, 0}, 1)), "miss");
   }
 }
 
@@ -112,19 +104,17 @@ TEST(Verdict, TheDifferenceOfPositionsIsNotRounded) {
 }
 
 TEST(Verdict, OverTheWholeRangeOfDouble) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  constexpr double smallest = std::numeric_limits<double>::denorm_min();
-  const TimingQuery huge{Kind::block,     {-largest, 0, 0}, {largest, 0, 0},
-                         {largest, 0, 0}, {-largest, 0, 0}, largest};
+  constexpr double max = std::numeric_limits<double>::max();
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  const TimingQuery huge{Kind::block, {-max, 0, 0}, {max, 0, 0}, {max, 0, 0}, {-max, 0, 0}, max};
   EXPECT_EQ(verdict_name(huge), "hit");
-  EXPECT_EQ(verdict_name(relative(Kind::block, {2 * smallest, 0, 0}, {-smallest, 0, 0}, smallest)), "hit");
-  EXPECT_EQ(verdict_name(relative(Kind::block, {smallest, 0, 0}, {-smallest, 0, 0}, smallest)), "contact");
-  EXPECT_EQ(verdict_name(relative(Kind::block, {largest, smallest, 0}, {-smallest, 0, 0}, smallest)),
-            "tangent");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {2 * tiny, 0, 0}, {-tiny, 0, 0}, tiny)), "hit");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {tiny, 0, 0}, {-tiny, 0, 0}, tiny)), "contact");
+  EXPECT_EQ(verdict_name(strata::relative(Kind::block, {max, tiny, 0}, {-tiny, 0, 0}, tiny)), "tangent");
 }
 
 TEST(Verdict, InvalidQueries) {
-  const TimingQuery good = relative(Kind::block, {2, 0, 0}, {-1, 0, 0}, 1);
+  const TimingQuery good = strata::relative(Kind::block, {2, 0, 0}, {-1, 0, 0}, 1);
   EXPECT_TRUE(valid(good));
   for (const double L : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
     TimingQuery bad = good;
@@ -143,7 +133,7 @@ TEST(Verdict, TheCheapestSufficientStageAnswers) {
     exact_verdict(query, counters);
     return counters.verdict;
   };
-  const StageCounts plain = counts(relative(Kind::block, {2, 0, 0}, {-1, 0, 0}, 1));
+  const StageCounts plain = counts(strata::relative(Kind::block, {2, 0, 0}, {-1, 0, 0}, 1));
   EXPECT_EQ(plain.calls, 1U);
   EXPECT_EQ(plain.uncertain, 0U);
   const StageCounts graze = counts(strata::graze(Kind::block, 50, 1, 1000, 0));

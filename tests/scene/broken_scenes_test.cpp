@@ -12,18 +12,12 @@
 #include <vector>
 
 #include "reference/scene/read_scene.hpp"
+#include "tests/support/content.hpp"
 
 namespace tps {
 namespace {
 
 const std::filesystem::path broken_folder = std::filesystem::path(TPS_SOURCE_DIR) / "tests/scene/broken";
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> broken_names() {
   std::vector<std::string> names;

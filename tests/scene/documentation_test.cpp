@@ -11,18 +11,12 @@
 
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/schema_validator.hpp"
+#include "tests/support/content.hpp"
 
 namespace tps {
 namespace {
 
 const std::filesystem::path root = TPS_SOURCE_DIR;
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 // The fenced blocks of one language.
 std::vector<std::string> blocks(const std::string& language) {

@@ -108,8 +108,8 @@ TEST(JsonDocument, NumbersAreTheNearestDoubles) {
 
 TEST(JsonDocument, PointersEscapeTheirKeys) {
   const JsonDocument document = parse_json("{\"a/b\": {\"m~n\": [7]}}", "keys");
-  const JsonPath root;
-  const JsonPath outer = root.key("a/b");
+  const JsonPath top;
+  const JsonPath outer = top.key("a/b");
   const JsonPath inner = outer.key("m~n");
   EXPECT_EQ(inner.item(0).text(), "/a~1b/m~0n/0");
   EXPECT_EQ(resolve_pointer(document.root, "/a~1b/m~0n/0").number()->value, 7);

@@ -12,13 +12,13 @@
 namespace tps::cli {
 namespace {
 
-std::vector<std::string> names() {
+std::vector<std::string> claim_names() {
   std::vector<std::string> result;
   for (const claims::ClaimEntry& entry : claims::all_claims()) result.push_back(entry.name);
   return result;
 }
 
-std::string footer() {
+std::string claims_footer() {
   std::string text = "Claims:\n";
   for (const claims::ClaimEntry& entry : claims::all_claims()) {
     fmt::format_to(std::back_inserter(text), "  {:<14}{}\n", entry.name, entry.summary);
@@ -46,9 +46,9 @@ void add_claims(CLI::App& app, int& exit_code) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* verb = app.add_subcommand("claims", "Measures what the paper states about its own simulations.");
-  verb->add_option("name", a->names, "Which claims (default: all)")->check(CLI::IsMember(names()));
+  verb->add_option("name", a->names, "Which claims (default: all)")->check(CLI::IsMember(claim_names()));
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
-  verb->footer(footer());
+  verb->footer(claims_footer());
   verb->callback([a, &exit_code] {
     const std::vector<claims::Claim> results = measured(a->names);
     write_result("-", a->format == "json" ? claims_json(results) : claims_text(results));

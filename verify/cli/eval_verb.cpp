@@ -13,7 +13,7 @@
 namespace tps::cli {
 namespace {
 
-std::string footer() {
+std::string eval_footer() {
   std::string text = "Operations and their keys:\n";
   for (const eval::Operation& o : eval::operations()) {
     fmt::format_to(std::back_inserter(text), "  {:<19} eq. {:<10} {}\n", o.name, o.equation,
@@ -54,7 +54,7 @@ void add_eval(CLI::App& app, int&) {
   verb->add_option("--in", a->in, "JSON object with the keys, - for standard input")->excludes(words);
   verb->add_option("--scalar", a->scalar)->check(CLI::IsMember(eval::scalars()))->capture_default_str();
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
-  verb->footer(footer());
+  verb->footer(eval_footer());
   verb->callback([a] {
     const eval::Operation& operation = operation_named(a->op);
     const eval::Input input =

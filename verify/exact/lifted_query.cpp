@@ -49,7 +49,7 @@ Integer dot(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y) {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-std::uint64_t bits(const Integer& x) {
+std::uint64_t bits_of(const Integer& x) {
   return x == 0 ? 0 : msb(abs(x)) + 1;
 }
 
@@ -85,7 +85,7 @@ Verdict verdict_of(Kind kind, const LiftedQuadratic& quadratic) {
 }
 
 std::uint64_t largest_bits(const LiftedQuadratic& quadratic) {
-  return std::max({bits(quadratic.a), bits(quadratic.h), bits(quadratic.c), bits(quadratic.D)});
+  return std::max({bits_of(quadratic.a), bits_of(quadratic.h), bits_of(quadratic.c), bits_of(quadratic.D)});
 }
 
 }  // namespace tps::exact

@@ -92,7 +92,7 @@ void set(Params& params, const Field<Params>& field, const std::string& text) {
 /// What help texts show of `field`.
 template <typename Params>
 BuilderOption describe(const Field<Params>& field) {
-  const Params defaults;
+  static constexpr Params defaults{};
   if (const auto* real = std::get_if<double Params::*>(&field.member)) {
     return {field.name, describe(defaults.*(*real)), describe(field.range, false), field.meaning};
   }
