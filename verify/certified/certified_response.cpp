@@ -1,0 +1,84 @@
+#include "verify/certified/certified_response.hpp"
+
+#include "reference/scene/input_error.hpp"
+#include "verify/certified/enclosure.hpp"
+#include "verify/certified/response.hpp"
+
+namespace tps::certified {
+namespace {
+
+/// The input of one operation, lifted.
+class Lifted {
+ public:
+  explicit Lifted(const eval::Input& input) : input_(input) {}
+
+  RealVector vector(const char* key) const { return lifted(input_.values.at(key)); }
+  double number(const char* key) const { return input_.values.at(key)[0]; }
+  Real inverse_A() const { return inverse_mass(number("m_A")); }
+  Real inverse_B() const { return inverse_mass(number("m_B")); }
+  Real reduced_mass() const { return Real(1) / (inverse_A() + inverse_B()); }
+  RealVector v_AB() const { return vector("v_B") - vector("v_A"); }
+  Collision pair() const {
+    return collision(vector("u_B") - vector("u_A"), v_AB(), inverse_A(), inverse_B());
+  }
+
+ private:
+  const eval::Input& input_;
+};
+
+void add_velocities(Response& response, const Lifted& in, const RealVector& dp) {
+  response.values["v_A"] = enclosure(in.vector("v_A") + in.inverse_A() * dp);
+  response.values["v_B"] = enclosure(in.vector("v_B") - in.inverse_B() * dp);
+}
+
+Response revolution(const Lifted& in) {
+  const Collision pair = in.pair();
+  if (sign(dot(pair.w, pair.w)) == Sign::zero) {
+    throw InputError({{"", 0, "",
+                       "v_ŵ, the velocity across û, is zero, so û_revolve is 0/0 and eq. (5) has no answer; "
+                       "tether_response retracts such a pair"}});
+  }
+  const RealVector dp = revolution_impulse(pair, in.number("c_revolve"), in.number("theta_revolve_deg"));
+  return {"", false, {{"dp", enclosure(dp)}}};
+}
+
+Response tether(const Lifted& in) {
+  const Collision pair = in.pair();
+  const double theta = in.number("theta_revolve_deg");
+  const TetherDecision decision = tether_decision(pair, in.number("c_retract"), theta);
+  const RealVector dp = decision.retracts ? collision_impulse(pair, in.number("c_retract"))
+                                          : revolution_impulse(pair, in.number("c_revolve"), theta);
+  Response response{decision.retracts ? "retract" : "revolve", decision.boundary, {{"dp", enclosure(dp)}}};
+  add_velocities(response, in, dp);
+  return response;
+}
+
+}  // namespace
+
+Response certified_response(eval::Op op, const eval::Input& input) {
+  const Lifted in(input);
+  Response response;
+  switch (op) {
+    case eval::Op::apply_impulse:
+      add_velocities(response, in, in.vector("dp"));
+      return response;
+    case eval::Op::collision_impulse:
+      response.values["dp"] = enclosure(collision_impulse(in.pair(), in.number("c")));
+      return response;
+    case eval::Op::revolution_impulse:
+      return revolution(in);
+    case eval::Op::tether_response:
+      return tether(in);
+    case eval::Op::load:
+      response.values["v_load"] =
+          enclosure(load_velocity(in.inverse_A(), in.inverse_B(), in.vector("v_A"), in.vector("v_B")));
+      return response;
+    case eval::Op::restitution_impulse:
+      response.values["dp_AB"] = enclosure(in.vector("dp") - in.reduced_mass() * in.v_AB());
+      return response;
+    default:
+      throw InputError({{"", 0, "", "the operation has no impulse or velocity to certify"}});
+  }
+}
+
+}  // namespace tps::certified

@@ -1,0 +1,68 @@
+// Certified answers to responses: eqs. (3)-(7) and chains of grouped collisions, each component enclosed
+// between doubles. The numbers are the stored doubles, lifted exactly (docs/protocol.md, "Certified values").
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verify/eval/input.hpp"
+
+namespace tps::certified {
+
+/// A real number between two doubles: lo = hi where it is a double and proven so, adjacent doubles where it
+/// is proven not to be one. Where it cannot be told from a double x at 150 digits, x lies strictly between lo
+/// and hi; for x ≠ 0 these are its neighbours. Law: lo ≤ the real number ≤ hi, and lo ≤ nearest ≤ hi.
+struct Enclosure {
+  double lo, hi;
+  double nearest;  ///< ties to even, infinity beyond the largest double, zero below half the smallest
+};
+
+using EnclosedVector = std::vector<Enclosure>;
+
+struct Response {
+  std::string kind;       ///< of tether_response: "retract" or "revolve"; empty for the others
+  bool boundary = false;  ///< |c_retract v_n| = tan θ |v_ŵ|: rounding decides, either kind is acceptable
+  std::map<std::string, EnclosedVector>
+      values;  ///< by the keys of the operation's result: dp, v_A, v_load, …
+};
+
+/// Evaluates apply_impulse, collision_impulse, revolution_impulse, tether_response, load or
+/// restitution_impulse.
+///
+/// REQUIRES one of these, and input as read_words() and read_json() return it. Throws InputError where eq.
+/// (5) is asked of a pair without tangential motion.
+Response certified_response(eval::Op op, const eval::Input& input);
+
+/// Bodies at one instant and the collisions that group them (semantics §4).
+struct GroupInput {
+  struct Body {
+    double mass;  ///< above 0, infinity allowed
+    std::vector<double> position, velocity;
+  };
+  struct Collision {
+    std::size_t i, j;    ///< places in `bodies`
+    bool outer = false;  ///< a tethering collision: tether_response; else eq. (4) with c
+    double c = 0;
+    double c_retract = 0, c_revolve = 0, theta_revolve_deg = 0;
+  };
+  std::vector<Body> bodies;
+  std::vector<Collision> collisions;
+};
+
+struct GroupResponse {
+  std::vector<EnclosedVector> loaded;      ///< velocities after the last load
+  std::vector<EnclosedVector> restituted;  ///< after every tree has been unwound, root first
+  bool boundary = false;                   ///< some tethering collision was at the boundary of its two kinds
+};
+
+/// Loads the collisions in their order, each between the bodies (groups or single) that hold i and j, then
+/// unwinds. An infinite mass grounds what collides with it and joins no group.
+///
+/// REQUIRES vectors of one dimension, finite numbers in the ranges of the operations, i and j in range.
+/// Throws InputError, naming the collision, where i and j are in one body, both bodies are infinite, the
+/// positions coincide, or the bodies do not move towards the limit (inner: v_n > 0; outer: v_n < 0; exactly).
+GroupResponse certified_group(const GroupInput& input);
+
+}  // namespace tps::certified
