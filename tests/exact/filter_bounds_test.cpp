@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "tests/exact/referee.hpp"
-#include "tests/exact/strata.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/double_word_filter.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "tests/exact/referee.hpp"
-#include "tests/exact/strata.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/refined_root.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

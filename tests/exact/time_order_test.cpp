@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "tests/exact/referee.hpp"
-#include "tests/exact/strata.hpp"
 #include "verify/exact/exact_order.hpp"
 #include "verify/exact/rounded_time.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

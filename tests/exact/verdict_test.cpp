@@ -8,9 +8,9 @@
 #include <map>
 
 #include "tests/exact/referee.hpp"
-#include "tests/exact/strata.hpp"
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/lifted_query.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "tests/exact/strata.hpp"
 #include "tests/oracles/recorded_failures.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/oracles/gsl_quadratic.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::oracles {
 namespace {

@@ -42,18 +42,31 @@ Response revolution(const Lifted& in) {
   return {"", false, {{"dp", enclosure(dp)}}};
 }
 
-Response tether(const Lifted& in) {
-  const Collision pair = in.pair();
-  const double theta = in.number("theta_revolve_deg");
-  const TetherDecision decision = tether_decision(pair, in.number("c_retract"), theta);
-  const RealVector dp = decision.retracts ? collision_impulse(pair, in.number("c_retract"))
-                                          : revolution_impulse(pair, in.number("c_revolve"), theta);
-  Response response{decision.retracts ? "retract" : "revolve", decision.boundary, {{"dp", enclosure(dp)}}};
+Response tether(const Lifted& in, const Collision& pair, bool retracts, bool boundary) {
+  const RealVector dp =
+      retracts ? collision_impulse(pair, in.number("c_retract"))
+               : revolution_impulse(pair, in.number("c_revolve"), in.number("theta_revolve_deg"));
+  Response response{retracts ? "retract" : "revolve", boundary, {{"dp", enclosure(dp)}}};
   add_velocities(response, in, dp);
   return response;
 }
 
+Response tether(const Lifted& in) {
+  const Collision pair = in.pair();
+  const TetherDecision decision =
+      tether_decision(pair, in.number("c_retract"), in.number("theta_revolve_deg"));
+  return tether(in, pair, decision.retracts, decision.boundary);
+}
+
 }  // namespace
+
+std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first) {
+  if (op != eval::Op::tether_response || !first.boundary) return std::nullopt;
+  const Lifted in(input);
+  const Collision pair = in.pair();
+  if (sign(dot(pair.w, pair.w)) != Sign::positive) return std::nullopt;
+  return tether(in, pair, first.kind == "revolve", true);
+}
 
 Response certified_response(eval::Op op, const eval::Input& input) {
   const Lifted in(input);

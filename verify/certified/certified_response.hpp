@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ struct Response {
 /// REQUIRES one of these, and input as read_words() and read_json() return it. Throws InputError where eq.
 /// (5) is asked of a pair without tangential motion.
 Response certified_response(eval::Op op, const eval::Input& input);
+
+/// At a boundary, tether_response with the other kind than `first` has; absent elsewhere, and where v_ŵ = 0
+/// leaves eq. (5) without an answer.
+std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first);
 
 /// Bodies at one instant and the collisions that group them (semantics §4).
 struct GroupInput {

@@ -22,7 +22,7 @@ constexpr const char* kCompiler = "g++ " __VERSION__;
 
 std::string version_text() {
   return fmt::format("tps {}\nsemantics {}\ncompiler {}\nprecisions {}", tps::version(),
-                     tps::kSemanticsVersion, __VERSION__, fmt::join(tps::scalar_names(), " "));
+                     tps::kSemanticsVersion, kCompiler, fmt::join(tps::scalar_names(), " "));
 }
 
 constexpr const char* kFooter =
@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   tps::cli::add_draw(app, exit_code);
   tps::cli::add_claims(app, exit_code);
   tps::cli::add_eval(app, exit_code);
+  tps::cli::add_vectors(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -1,41 +1,15 @@
-#include "tests/exact/strata.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 namespace tps::exact::strata {
-
-std::uint64_t Random::bits() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31);
-}
-
-double Random::uniform(double low, double high) {
-  return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
-}
-
-int Random::integer(int low, int high) {
-  return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
-}
-
-double Random::any_double(int low, int high) {
-  const double significand = std::ldexp(static_cast<double>((bits() >> 11) | (1ULL << 52)), -52);
-  const double x = std::ldexp(significand, integer(low, high));
-  return (bits() & 1U) != 0 ? x : -x;
-}
 
 namespace {
 
 Vec3 in_cube(Random& random, double half_edge) {
   return {random.uniform(-half_edge, half_edge), random.uniform(-half_edge, half_edge),
           random.uniform(-half_edge, half_edge)};
-}
-
-Kind any_kind(Random& random) {
-  return (random.bits() & 1U) != 0 ? Kind::block : Kind::tether;
 }
 
 /// Not hypot: its last bit differs between libraries.
@@ -46,15 +20,15 @@ double distance(const TimingQuery& q) {
 }
 
 /// The rounded distance is the limit: about half of these pairs overlap, a few are exact contacts.
-TimingQuery touching(Random& random) {
-  TimingQuery query = plain(random, any_kind(random));
+TimingQuery touching(Random& random, Kind kind) {
+  TimingQuery query = plain(random, kind);
   query.L = distance(query);
   return query;
 }
 
 /// Almost perpendicular at the limit: h and c are both rounding noise.
-TimingQuery taut(Random& random) {
-  TimingQuery query = plain(random, Kind::tether);
+TimingQuery taut(Random& random, Kind kind) {
+  TimingQuery query = plain(random, kind);
   query.v_A = {0, 0, 0};
   query.v_B = {-(query.u_B[1] - query.u_A[1]), query.u_B[0] - query.u_A[0], 0};
   query.L = distance(query);
@@ -62,17 +36,18 @@ TimingQuery taut(Random& random) {
 }
 
 /// Small integers: contacts, tangents, exactly perpendicular pairs and rational times abound.
-TimingQuery integers(Random& random) {
+TimingQuery integers(Random& random, Kind kind) {
   const auto vector = [&](int size) -> Vec3 {
     return {double(random.integer(-size, size)), double(random.integer(-size, size)),
             double(random.integer(-1, 1))};
   };
-  return {any_kind(random), vector(5), vector(5), vector(2), vector(2), double(random.integer(1, 5))};
+  return {kind, vector(5), vector(5), vector(2), vector(2), double(random.integer(1, 5))};
 }
 
 /// (3, 4) is the direction of flight, (−4, 3) the offset at closest approach: D = 0 exactly.
-TimingQuery tangent(Random& random) {
-  TimingQuery query = graze(any_kind(random), 0, 0, random.integer(1, 1 << 20), random.integer(0, 1));
+TimingQuery tangent(Random& random, Kind kind) {
+  const int x0 = random.integer(1, 1 << 20);
+  TimingQuery query = graze(kind, 0, 0, x0, random.integer(0, 1));
   const Vec3 offset = {double(random.integer(-1000, 1000)), double(random.integer(-1000, 1000)), 0};
   for (std::size_t k = 0; k < 3; ++k) {
     query.u_A[k] += offset[k];
@@ -81,15 +56,16 @@ TimingQuery tangent(Random& random) {
   return query;
 }
 
-TimingQuery any_graze(Random& random) {
-  const double side = (random.bits() & 1U) != 0 ? 1 : -1;
-  return graze(any_kind(random), random.integer(5, 53), side, std::ldexp(1.0, random.integer(0, 20)),
-               random.integer(0, 1));
+TimingQuery any_graze(Random& random, Kind kind) {
+  const double side = random.coin() ? 1 : -1;
+  const int k = random.integer(5, 53);
+  const double x0 = std::ldexp(1.0, random.integer(0, 20));
+  return graze(kind, k, side, x0, random.integer(0, 1));
 }
 
 /// Two particles of a scene far from the origin.
-TimingQuery offset_origin(Random& random) {
-  TimingQuery query = plain(random, any_kind(random));
+TimingQuery offset_origin(Random& random, Kind kind) {
+  TimingQuery query = plain(random, kind);
   const double offset = std::ldexp(1.0, random.integer(10, 45));
   for (std::size_t k = 0; k < 3; ++k) {
     query.u_A[k] += offset;
@@ -98,31 +74,32 @@ TimingQuery offset_origin(Random& random) {
   return query;
 }
 
-TimingQuery far(Random& random) {
-  TimingQuery query = plain(random, any_kind(random));
+TimingQuery far(Random& random, Kind kind) {
+  TimingQuery query = plain(random, kind);
   const double away = std::ldexp(1.0, random.integer(5, 40));
   for (std::size_t k = 0; k < 3; ++k) query.u_B[k] = away * query.v_A[k] + query.u_B[k];
   query.v_B = {0, 0, 0};
   return query;
 }
 
-TimingQuery near_static(Random& random) {
-  TimingQuery query = plain(random, any_kind(random));
+TimingQuery near_static(Random& random, Kind kind) {
+  TimingQuery query = plain(random, kind);
   query.v_B = query.v_A;
   const auto k = static_cast<std::size_t>(random.integer(0, 2));
   query.v_B[k] = std::nextafter(query.v_B[k], random.uniform(-9, 9));
   return query;
 }
 
-TimingQuery any_scale(Random& random) {
-  const TimingQuery query = (random.bits() & 1U) != 0 ? plain(random, any_kind(random)) : any_graze(random);
-  return scaled(query, random.integer(-960, 960), random.integer(-960, 960));
+TimingQuery any_scale(Random& random, Kind kind) {
+  const TimingQuery query = random.coin() ? plain(random, kind) : any_graze(random, kind);
+  const int length = random.integer(-960, 960);
+  return scaled(query, length, random.integer(-960, 960));
 }
 
 /// Every number with an exponent of its own.
-TimingQuery wide(Random& random) {
+TimingQuery wide(Random& random, Kind kind) {
   const auto number = [&] { return random.any_double(-1073, 1023); };
-  TimingQuery query{any_kind(random), {}, {}, {}, {}, std::fabs(number())};
+  TimingQuery query{kind, {}, {}, {}, {}, std::fabs(number())};
   for (std::size_t k = 0; k < 3; ++k) {
     query.u_A[k] = number();
     query.u_B[k] = number();
@@ -133,8 +110,25 @@ TimingQuery wide(Random& random) {
 }
 
 /// Integers below 2^10 in units of the smallest double.
-TimingQuery subnormal(Random& random) {
-  return scaled(integers(random), -1074, (random.bits() & 1U) != 0 ? -1074 : 0);
+TimingQuery subnormal(Random& random, Kind kind) {
+  const TimingQuery query = integers(random, kind);
+  return scaled(query, -1074, random.coin() ? -1074 : 0);
+}
+
+/// Every component rounded to single precision.
+TimingQuery float32(Random& random, Kind kind) {
+  TimingQuery query = random.coin() ? plain(random, kind) : any_graze(random, kind);
+  for (Vec3* vector : {&query.u_A, &query.u_B, &query.v_A, &query.v_B}) {
+    for (double& x : *vector) x = static_cast<float>(x);
+  }
+  query.L = static_cast<float>(query.L);
+  return query;
+}
+
+TimingQuery planar(Random& random, Kind kind) {
+  TimingQuery query = random.coin() ? plain(random, kind) : touching(random, kind);
+  query.u_A[2] = query.u_B[2] = query.v_A[2] = query.v_B[2] = 0;
+  return query;
 }
 
 }  // namespace
@@ -177,25 +171,38 @@ TimingQuery scaled(TimingQuery query, int length, int speed) {
   return query;
 }
 
+const std::vector<TimingStratum>& timing_strata() {
+  static const std::vector<TimingStratum> table = {
+      {"plain", "particles in a cube of edge 4, speeds of order 1", plain},
+      {"graze", "passes the limit at a distance L(1 -+ 2^-k), k from 5 to 53", any_graze},
+      {"touching", "the rounded distance is the limit: contact, or an overlap of rounding size", touching},
+      {"taut", "almost perpendicular at the limit: h and c are both of rounding size", taut},
+      {"integers", "small integers: exact contacts, tangents, perpendicular pairs, rational times", integers},
+      {"tangent", "D = 0 exactly", tangent},
+      {"offset_origin", "two particles far from the origin", offset_origin},
+      {"far", "a long way to go before the limit is reached", far},
+      {"near_static", "the velocities differ by one unit in the last place", near_static},
+      {"any_scale", "lengths times 2^j, velocities times 2^k", any_scale},
+      {"wide", "every number with an exponent of its own", wide},
+      {"subnormal", "integers in units of the smallest double", subnormal},
+      {"float32", "every number exact in single precision", float32},
+      {"planar", "z = 0 throughout: a case of the plane", planar}};
+  return table;
+}
+
+Kind any_kind(Random& random) {
+  return random.coin() ? Kind::block : Kind::tether;
+}
+
 std::vector<Stratum> all(std::uint64_t seed, int count) {
-  const std::vector<std::pair<std::string, std::function<TimingQuery(Random&)>>> generators = {
-      {"plain", [](Random& random) { return plain(random, any_kind(random)); }},
-      {"graze", any_graze},
-      {"touching", touching},
-      {"taut", taut},
-      {"integers", integers},
-      {"tangent", tangent},
-      {"offset_origin", offset_origin},
-      {"far", far},
-      {"near_static", near_static},
-      {"any_scale", any_scale},
-      {"wide", wide},
-      {"subnormal", subnormal}};
   Random random(seed);
   std::vector<Stratum> strata;
-  for (const auto& [name, generate] : generators) {
-    Stratum stratum{name, {}};
-    for (int i = 0; i < count; ++i) stratum.queries.push_back(generate(random));
+  for (const TimingStratum& family : timing_strata()) {
+    Stratum stratum{std::string(family.name), {}};
+    for (int i = 0; i < count; ++i) {
+      const Kind kind = any_kind(random);
+      stratum.queries.push_back(family.query(random, kind));
+    }
     strata.push_back(stratum);
   }
   return strata;

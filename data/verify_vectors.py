@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Proves known-answer files again, with exact arithmetic and no code of the project.
+
+python3 data/verify_vectors.py [FILE|- ...]     (default: every data/vectors/*.jsonl)
+
+Timing and order are decided by integers alone: signs of the polynomial at both ends of an enclosure, of its slope (which
+says the branch) and of its discriminant. Responses are in verify_responses.py. Exit code 1 if a case is wrong.
+"""
+import glob, json, math, os, sys
+
+from verify_responses import check_nearest, check_response, claim, dot, double
+
+BROKEN = ValueError, KeyError, TypeError, AttributeError, ArithmeticError, IndexError
+NOW, NEVER = {"overlap", "contact", "taut", "overstretched"}, {"static", "receding", "miss", "tangent"}
+
+
+def sign(x):
+    return (x > 0) - (x < 0)
+
+
+def over_power_of_two(texts):
+    ratios = [double(t).as_integer_ratio() for t in texts]
+    unit = max(d for _, d in ratios)
+    return [n * (unit // d) for n, d in ratios], unit
+
+
+class Query:
+    """a t^2 + 2 h t + c in integers, and which zero of it is the event."""
+
+    def __init__(self, q, kind):
+        n = len(q["u_A"])
+        u, length = over_power_of_two(q["u_A"] + q["u_B"] + [q["L"]])
+        w, speed = over_power_of_two(q["v_A"] + q["v_B"])
+        r, v = [u[n + k] - u[k] for k in range(n)], [w[n + k] - w[k] for k in range(n)]
+        a, h, c = dot(v, v), dot(r, v), dot(r, r) - u[-1] ** 2
+        self.A, self.B, self.C = (a, speed**2), (2 * h, length * speed), (c, length**2)
+        self.a, self.h, self.c, self.larger = a * length**2, h * length * speed, c * speed**2, kind == "tether"
+        self.D = self.sign_D = self.h**2 - self.a * self.c
+        if a == 0:
+            self.verdict = "static"
+        elif self.larger:
+            outside = ("taut" if c == 0 else "overstretched") if h >= 0 else "hit" if c == 0 or self.D > 0 else "turning"
+            self.verdict = "hit" if c < 0 else outside
+        else:
+            outside = ("tangent", "hit", "miss")[sign(self.D)]
+            self.verdict = "receding" if h >= 0 else "overlap" if c < 0 else "contact" if c == 0 else outside
+        if self.verdict in NOW:
+            self.a, self.h, self.c, self.D = 1, 0, 0, 0
+        elif self.verdict == "turning":  # closest approach, as the double zero of (a t + h)^2
+            self.a, self.h, self.c, self.D = self.a**2, self.a * self.h, self.h**2, 0
+
+    def slope(self, n, d):
+        return sign(self.a * n + self.h * d)
+
+    def polynomial(self, n, d):  # its sign at n/d; for a turning that of a t + h
+        return self.slope(n, d) if self.D == 0 else sign((self.a * n + 2 * self.h * d) * n + self.c * d * d)
+
+    def side(self, n, d):  # -1, 0, 1: n/d lies before, at, after the event
+        slope, branch = self.slope(n, d), 1 if self.larger else -1
+        return slope if self.D == 0 or slope * branch < 0 else branch * self.polynomial(n, d)
+
+    def scaled(self, k):  # t 2^k, to two units
+        root = math.isqrt(self.D << 2 * k)
+        return ((root if self.larger else -root) - (self.h << k)) // self.a
+
+
+def order(p, q):
+    if p.verdict in NEVER or q.verdict in NEVER:
+        return ("none" if q.verdict in NEVER else "after") if p.verdict in NEVER else "before"
+    ah, ac, hc = p.a * q.h - q.a * p.h, p.a * q.c - q.a * p.c, p.h * q.c - q.h * p.c
+    if ac * ac == 4 * ah * hc:  # the resultant vanishes: a zero in common
+        n, d = (-ac, 2 * ah) if ah > 0 else (ac, -2 * ah)
+        if (p.D == 0 or p.larger == q.larger) if ah == 0 else p.side(n, d) == q.side(n, d) == 0:
+            return "equal"
+    k = 64
+    while abs(p.scaled(k) - q.scaled(k)) < 8:
+        k *= 2
+    return "after" if p.scaled(k) > q.scaled(k) else "before"
+
+
+def check_timing(case, kind):
+    q, proof, t = Query(case["in"], kind), case["proof"], case["t"]
+    claim(case["verdict"] == q.verdict, f"the verdict is {q.verdict}")
+    claim(proof["D"] == sign(q.sign_D), "sign of D")
+    for name in "ABC":
+        mantissa, exponent = proof[name].split("p")
+        (n, d), m, e = getattr(q, name), int(mantissa, 16), int(exponent)
+        claim((m << max(e, 0)) * d == n << max(-e, 0), name)
+    if q.verdict in NEVER | NOW:
+        return claim(t is None if q.verdict in NEVER else t == ["0x0p+0"] * 2, "t")
+    lo, hi = map(double, t)
+    (n, d), (m, e) = lo.as_integer_ratio(), (2**1024, 1) if hi == math.inf else hi.as_integer_ratio()
+    mid = n * e + m * d, 2 * d * e
+    claim([proof[k] for k in ("lo", "hi", "mid")] == [q.polynomial(*x) for x in ((n, d), (m, e), mid)], "signs")
+    claim(q.side(n, d) == 0 if lo == hi else q.side(n, d) < 0 and (hi == math.inf or q.side(m, e) > 0), "t")
+    claim(lo == hi or hi == math.nextafter(lo, math.inf), "lo and hi are not adjacent")
+    check_nearest(case["nearest"], lo, hi, q.side(*mid))
+
+
+def check(case, op):
+    if op.endswith("_time"):
+        return check_timing(case, op[:-5])
+    if op != "order":
+        return check_response(case, op)
+    found = order(*(Query(case["in"][k], case["in"][k]["kind"]) for k in ("first", "second")))
+    claim(case["order"] == found, f"the order is {found}")
+
+
+def check_file(name, lines):
+    """The number of cases, and of wrong ones."""
+    header, count, cases, wrong = None, 0, 0, 0
+    for number, line in enumerate(lines, 1):
+        case = {}
+        try:
+            case = json.loads(line)
+            if "schema" in case:  # files may follow one another
+                claim(header is None or count == header["count"], f"{count} cases where the header says {header and header['count']}")
+                header, count = case, 0
+                continue
+            count, cases = count + 1, cases + 1
+            check(case, header["op"])
+        except BROKEN as error:
+            wrong += 1
+            print(f"{name}:{number}: {case.get('id', 'no case') if isinstance(case, dict) else case}: "
+                  f"{type(error).__name__}: {error}")
+    if header is None or count != header.get("count"):
+        wrong += 1
+        print(f"{name}: truncated: {count} cases, the header says {header and header.get('count')}")
+    return cases, wrong
+
+
+def main(names):
+    here = os.path.dirname(os.path.abspath(__file__))
+    names = names or sorted(glob.glob(os.path.join(here, "vectors", "*.jsonl")))
+    cases = wrong = 0
+    for name in names:
+        try:
+            with (sys.stdin if name == "-" else open(name, encoding="utf-8", errors="replace")) as lines:
+                found = check_file(name, lines)
+        except OSError as error:
+            print(f"{name}: {error.strerror}")
+            found = 0, 1
+        cases, wrong = cases + found[0], wrong + found[1]
+    print(f"{cases} cases in {len(names)} files, {wrong} wrong")
+    return 1 if wrong or not cases else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,155 @@
+#include "verify/vectors/check_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace tps::vectors {
+namespace {
+
+/// Where the truth is.
+struct Target {
+  double lo, hi, nearest;
+};
+
+Target target(const Json& ends, const Json& nearest) {
+  const double lo = read_number(ends.at(0));
+  const double hi = read_number(ends.at(1));
+  return {lo, hi, nearest == "lo" ? lo : nearest == "hi" ? hi : std::nextafter(lo, HUGE_VAL)};
+}
+
+/// A tolerance class such as R, U(2), K(8).
+struct Accepted {
+  char letter;
+  double factor;
+};
+
+Accepted accepted_class(const std::string& text) {
+  if (text == "R") return {'R', 0};
+  double factor = 0;
+  const bool has_factor =
+      text.size() > 3 && text[1] == '(' && text.back() == ')' &&
+      std::from_chars(text.data() + 2, text.data() + text.size() - 1, factor).ec == std::errc();
+  if (!has_factor || (text[0] != 'U' && text[0] != 'K')) {
+    throw std::invalid_argument(fmt::format("accept has {}; known classes: R, U(k), K(k)", text));
+  }
+  return {text[0], factor};
+}
+
+double outside(double x, const Target& t) {
+  return x < t.lo ? t.lo - x : x > t.hi ? x - t.hi : 0;
+}
+
+bool passes(const Accepted& accepted, const std::vector<double>& found, const std::vector<Target>& known,
+            const Json& cond) {
+  double size = 0, miss = 0;
+  bool rounded = true, in_units = true;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    rounded = rounded && found[k] == known[k].nearest;
+    const double excess = outside(found[k], known[k]);
+    const double unit = std::nextafter(std::fabs(known[k].nearest), HUGE_VAL) - std::fabs(known[k].nearest);
+    in_units = in_units && excess <= accepted.factor * unit;
+    size = std::hypot(size, known[k].nearest);
+    miss = std::hypot(miss, excess);
+  }
+  if (accepted.letter == 'R') return rounded;
+  if (accepted.letter == 'U') return in_units;
+  return miss == 0 || (cond.is_number() && miss <= accepted.factor * 0x1p-53 * cond.get<double>() * size);
+}
+
+/// All numbers of a result, however nested.
+void flatten(const Json& value, std::vector<double>& numbers) {
+  if (!value.is_array()) return numbers.push_back(read_number(value));
+  for (const Json& element : value) flatten(element, numbers);
+}
+
+std::optional<std::string> wrong_numbers(const std::string& key, const Json& given,
+                                         const std::vector<Target>& known, const Json& cond,
+                                         const Json& accept) {
+  std::vector<double> found;
+  flatten(given, found);
+  if (found.size() != known.size())
+    return fmt::format("{} has {} numbers; it has {}", key, found.size(), known.size());
+  for (const Json& text : accept) {
+    if (passes(accepted_class(text.get<std::string>()), found, known, cond)) return std::nullopt;
+  }
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (found[k] == known[k].nearest) continue;
+    return fmt::format("{} is {}, the nearest double is {}; accepted: {}", key,
+                       hex(found[k]).get<std::string>(), hex(known[k].nearest).get<std::string>(),
+                       accept.dump());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> wrong_word(const char* key, const Json& known, const Json& out) {
+  if (!out.contains(key)) return fmt::format("{} is missing; it is {}", key, known.dump());
+  if (out.at(key) == known) return std::nullopt;
+  return fmt::format("{} is {}; it is {}", key, out.at(key).dump(), known.dump());
+}
+
+std::optional<std::string> wrong_time(const Json& known_case, const Json& out) {
+  if (out.contains("verdict")) {
+    if (const auto wrong = wrong_word("verdict", known_case.at("verdict"), out)) return wrong;
+  }
+  const Json& known = known_case.at("t");
+  const Json given = out.value("t", Json());
+  if (known.is_null() || given.is_null()) {
+    if (known.is_null() && given.is_null()) return std::nullopt;
+    return known.is_null() ? fmt::format("t is {}; there is no event", given.dump())
+                           : fmt::format("t is absent; the event is at {}", known.at(0).dump());
+  }
+  return wrong_numbers("t", given, {target(known, known_case.at("nearest"))}, known_case.at("cond"),
+                       known_case.at("accept"));
+}
+
+/// By one of the accepted answers: the case's own, or one of "also".
+std::optional<std::string> wrong_response(const Json& answer, const Json& known_case, const Json& out) {
+  if (answer.contains("kind")) {
+    if (const auto wrong = wrong_word("kind", answer.at("kind"), out)) return wrong;
+  }
+  for (const auto& [key, enclosures] : answer.at("out").items()) {
+    if (!out.contains(key)) return fmt::format("{} is missing", key);
+    std::vector<Target> known;
+    for (std::size_t k = 0; k < enclosures.size(); ++k) {
+      known.push_back(target(enclosures[k], answer.at("nearest").at(key).at(k)));
+    }
+    const Json cond = known_case.at("cond").value(key, Json());
+    if (const auto wrong = wrong_numbers(key, out.at(key), known, cond, known_case.at("accept")))
+      return wrong;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
+  const Json proven = known_answer(op, known_case.at("in"));
+  for (const auto& [key, value] : proven.items()) {
+    const Json stored = known_case.value(key, Json());
+    if (stored != value) return fmt::format("{} is {}; proven: {}", key, stored.dump(), value.dump());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out) {
+  if (!out.is_object()) return "out is not an object";
+  try {
+    if (op == "order") return wrong_word("order", known_case.at("order"), out);
+    if (known_case.contains("verdict")) return wrong_time(known_case, out);
+    const auto wrong = wrong_response(known_case, known_case, out);
+    for (const Json& other : known_case.value("also", Json::array())) {
+      if (wrong && !wrong_response(other, known_case, out)) return std::nullopt;
+    }
+    return wrong;
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+}  // namespace tps::vectors

@@ -1,0 +1,23 @@
+// Judges answers by known ones, and the known ones by proving them again.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "verify/vectors/known_answer.hpp"
+
+namespace tps::vectors {
+
+/// What is wrong with a stored case, in words: each field of the answer is computed again from its "in".
+std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case);
+
+/// What is wrong with somebody's "out" (interface: the operation's results; numbers as hexadecimal floats or
+/// JSON numbers). It passes if one of the case's `accept` classes does: R, every number is the correctly
+/// rounded one; U(k), within k units in the last place of the enclosure; K(k), within k·2^-53·cond·|result|
+/// of it (u = 2^-53). A verdict, an order or a kind has to be the known one; a verdict that is not given is
+/// not judged.
+std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out);
+
+}  // namespace tps::vectors

@@ -1,0 +1,64 @@
+#include "verify/vectors/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace tps::vectors {
+
+const std::vector<Stratum>& strata() {
+  static const std::vector<Stratum> table = [] {
+    std::vector<Stratum> made;
+    add_timing_strata(made);
+    add_order_strata(made);
+    add_response_strata(made);
+    add_group_strata(made);
+    return made;
+  }();
+  return table;
+}
+
+Extent extent_of(const Stratum& stratum, int level, std::uint64_t count_at_level_3) {
+  const auto committed = static_cast<std::uint64_t>(stratum.committed);
+  if (level == 1) return {0, std::min<std::uint64_t>(committed, kSmokeCases)};
+  if (level == 2) return {0, committed};
+  return {committed, count_at_level_3};
+}
+
+std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent& extent) {
+  const Json header{{"schema", "vectors"},
+                    {"version", kVectorsVersion},
+                    {"semantics", 1},
+                    {"op", stratum.op},
+                    {"stratum", stratum.name},
+                    {"why", stratum.why},
+                    {"generator", "tps vectors"},
+                    {"seed", seed},
+                    {"first", extent.first},
+                    {"count", extent.count}};
+  return header.dump() + "\n";
+}
+
+std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t number) {
+  const auto together = static_cast<std::uint64_t>(stratum.together);
+  Random random(seed, stratum.file_name(), number / together);
+  const Problem problem = stratum.problem(random, number);
+  const auto id = [&](std::uint64_t n) { return fmt::format("{}.{}.{:05}", stratum.op, stratum.name, n); };
+  Json line{{"id", id(number)}, {"rev", 1}, {"in", problem.in}};
+  line.update(known_answer(stratum.op, problem.in));
+  line["tags"] = problem.tags;
+  if (together == 2) line["twin"] = id(number ^ 1U);
+  line["level"] = number < kSmokeCases ? 1 : number < static_cast<std::uint64_t>(stratum.committed) ? 2 : 3;
+  line["accept"] = stratum.accept;
+  return line.dump() + "\n";
+}
+
+void write_stratum(const Stratum& stratum, std::uint64_t seed, const Extent& extent,
+                   const std::function<void(std::string_view)>& write) {
+  write(header_line(stratum, seed, extent));
+  for (std::uint64_t n = extent.first; n < extent.first + extent.count; ++n)
+    write(case_line(stratum, seed, n));
+}
+
+}  // namespace tps::vectors

@@ -1,0 +1,137 @@
+#include "verify/vectors/known_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "reference/scene/number_text.hpp"
+#include "verify/exact/time_order.hpp"
+#include "verify/vectors/response_answer.hpp"
+#include "verify/vectors/time_bracket.hpp"
+
+namespace tps::vectors {
+namespace {
+
+using exact::Kind;
+using exact::TimingQuery;
+using exact::Vec3;
+
+Vec3 in_space(const std::vector<double>& x) {
+  return {x[0], x[1], x.size() > 2 ? x[2] : 0};
+}
+
+Json vector_of(const Vec3& x, int dimension) {
+  return hex(std::vector<double>(x.begin(), x.begin() + dimension));
+}
+
+/// Three digits: a condition number is a size.
+Json rounded_condition(const std::optional<double>& condition) {
+  if (!condition || !std::isfinite(*condition)) return nullptr;
+  return std::stod(fmt::format("{:.2e}", *condition));
+}
+
+Json timing_answer(const TimingQuery& query) {
+  const TimingProof proof = prove(query);
+  Json answer{{"verdict", exact::name(proof.verdict)}};
+  Json signs{{"A", proof.A}, {"B", proof.B}, {"C", proof.C}, {"D", proof.sign_D}};
+  if (proof.bracket) {
+    const TimeBracket& b = *proof.bracket;
+    answer["t"] = {hex(b.lo), hex(b.hi)};
+    answer["nearest"] = b.nearest == b.lo ? "lo" : "hi";
+    signs["lo"] = b.sign_lo;
+    signs["hi"] = b.sign_hi;
+    signs["mid"] = b.sign_mid;
+  } else if (exact::at_once(proof.verdict)) {
+    answer["t"] = {hex(0), hex(0)};
+    answer["nearest"] = "lo";
+  } else {
+    answer["t"] = nullptr;
+  }
+  answer["proof"] = signs;
+  answer["cond"] = rounded_condition(condition(query, proof));
+  return answer;
+}
+
+Kind kind_named(const Json& name) {
+  if (name == "block") return Kind::block;
+  if (name == "tether") return Kind::tether;
+  throw std::invalid_argument(fmt::format("kind is {}; allowed: \"block\", \"tether\"", name.dump()));
+}
+
+Json order_answer(const Json& in) {
+  exact::Counters counters;
+  std::array<TimingQuery, 2> queries;
+  Json proof;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const char* key = n == 0 ? "first" : "second";
+    queries[n] = read_timing_input(kind_named(in.at(key).at("kind")), in.at(key));
+    const TimingProof one = prove(queries[n]);
+    proof[key] = {
+        {"verdict", exact::name(one.verdict)}, {"A", one.A}, {"B", one.B}, {"C", one.C}, {"D", one.sign_D}};
+  }
+  return {{"order", exact::name(exact::time_order(queries[0], queries[1], counters))}, {"proof", proof}};
+}
+
+}  // namespace
+
+Json hex(double x) {
+  return write_hex_float(x);
+}
+
+Json hex(const std::vector<double>& x) {
+  Json components = Json::array();
+  for (const double component : x) components.push_back(hex(component));
+  return components;
+}
+
+double read_number(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) {
+    const std::string& text = value.get_ref<const std::string&>();
+    if (text == "inf") return HUGE_VAL;
+    const HexFloat number = parse_hex_float(text);
+    if (number.verdict == HexFloat::Verdict::exact) return number.value;
+  }
+  throw std::invalid_argument(
+      fmt::format("{} is not a number; allowed: a JSON number, a hexadecimal float, \"inf\"", value.dump()));
+}
+
+std::vector<double> read_vector(const Json& value) {
+  if (!value.is_array() || value.size() < 2 || value.size() > 3) {
+    throw std::invalid_argument(fmt::format("{} is not a list of 2 or 3 numbers", value.dump()));
+  }
+  std::vector<double> x;
+  for (const Json& component : value) x.push_back(read_number(component));
+  return x;
+}
+
+Json timing_input(const TimingQuery& query, int dimension) {
+  return {{"u_A", vector_of(query.u_A, dimension)},
+          {"u_B", vector_of(query.u_B, dimension)},
+          {"v_A", vector_of(query.v_A, dimension)},
+          {"v_B", vector_of(query.v_B, dimension)},
+          {"L", hex(query.L)}};
+}
+
+TimingQuery read_timing_input(Kind kind, const Json& in) {
+  const TimingQuery query{kind,
+                          in_space(read_vector(in.at("u_A"))),
+                          in_space(read_vector(in.at("u_B"))),
+                          in_space(read_vector(in.at("v_A"))),
+                          in_space(read_vector(in.at("v_B"))),
+                          read_number(in.at("L"))};
+  if (!exact::valid(query)) throw std::invalid_argument("a timing query needs finite numbers and L > 0");
+  return query;
+}
+
+Json known_answer(std::string_view op, const Json& in) {
+  if (op == "block_time") return timing_answer(read_timing_input(Kind::block, in));
+  if (op == "tether_time") return timing_answer(read_timing_input(Kind::tether, in));
+  if (op == "order") return order_answer(in);
+  return response_answer(op, in);
+}
+
+}  // namespace tps::vectors

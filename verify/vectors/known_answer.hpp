@@ -1,0 +1,28 @@
+// A question of the interface, and its known answer with the proof, as JSON objects.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+#include <vector>
+
+#include "verify/exact/timing_query.hpp"
+
+namespace tps::vectors {
+
+using Json = nlohmann::ordered_json;
+
+/// A double as files spell it: a hexadecimal float, or "inf".
+Json hex(double x);
+Json hex(const std::vector<double>& x);
+double read_number(const Json& value);
+std::vector<double> read_vector(const Json& value);
+
+/// The "in" of block_time and tether_time, and back. A query of the plane is written with 2 components.
+Json timing_input(const exact::TimingQuery& query, int dimension);
+exact::TimingQuery read_timing_input(exact::Kind kind, const Json& in);
+
+/// The fields of a case that follow from its operation and its "in": the answer, its proof, its condition
+/// number. Throws std::invalid_argument for an operation without known answers or an "in" that is not one.
+Json known_answer(std::string_view op, const Json& in);
+
+}  // namespace tps::vectors

@@ -1,0 +1,108 @@
+#include "verify/vectors/response_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "verify/certified/certified_response.hpp"
+#include "verify/vectors/response_condition.hpp"
+
+namespace tps::vectors {
+namespace {
+
+using certified::EnclosedVector;
+using certified::Enclosure;
+
+const char* nearest_name(const Enclosure& e) {
+  return e.nearest == e.lo ? "lo" : e.nearest == e.hi ? "hi" : "mid";
+}
+
+/// Adds one result: its enclosures, and which double of each is the nearest.
+void add(Json& answer, const std::string& key, const EnclosedVector& components) {
+  Json enclosures = Json::array();
+  Json nearest = Json::array();
+  for (const Enclosure& e : components) {
+    enclosures.push_back({hex(e.lo), hex(e.hi)});
+    nearest.push_back(nearest_name(e));
+  }
+  answer["out"][key] = enclosures;
+  answer["nearest"][key] = nearest;
+}
+
+Json answer_of(const certified::Response& response) {
+  Json answer;
+  if (!response.kind.empty()) answer["kind"] = response.kind;
+  for (const auto& [key, components] : response.values) add(answer, key, components);
+  return answer;
+}
+
+eval::Input read_input(const eval::Operation& operation, const Json& in) {
+  eval::Input input;
+  for (const std::string& key : operation.keys) {
+    const bool is_vector = eval::domain_of(key) == eval::Domain::vector;
+    input.values[key] = is_vector ? read_vector(in.at(key)) : std::vector<double>{read_number(in.at(key))};
+    if (is_vector) input.dimension = static_cast<int>(input.values[key].size());
+  }
+  return input;
+}
+
+Json one_response(const eval::Operation& operation, const Json& in) {
+  const eval::Input input = read_input(operation, in);
+  const certified::Response response = certified::certified_response(operation.op, input);
+  Json answer = answer_of(response);
+  if (const auto other = certified::other_response(operation.op, input, response)) {
+    answer["also"] = Json::array({answer_of(*other)});
+  }
+  answer["cond"] = conditions(operation.op, input, response);
+  return answer;
+}
+
+certified::GroupInput read_group(const Json& in) {
+  certified::GroupInput group;
+  for (const Json& body : in.at("bodies")) {
+    group.bodies.push_back({read_number(body.at("m")), read_vector(body.at("u")), read_vector(body.at("v"))});
+  }
+  for (const Json& c : in.at("collisions")) {
+    const bool outer = c.at("limit") == "outer";
+    const auto number = [&](const char* key) { return c.contains(key) ? read_number(c.at(key)) : 0; };
+    group.collisions.push_back({c.at("i").get<std::size_t>(), c.at("j").get<std::size_t>(), outer,
+                                number("c"), number("c_retract"), number("c_revolve"),
+                                number("theta_revolve_deg")});
+    const certified::GroupInput::Collision& read = group.collisions.back();
+    if (read.i >= group.bodies.size() || read.j >= group.bodies.size()) {
+      throw std::invalid_argument(fmt::format("collision {} names a body that is not there", c.dump()));
+    }
+  }
+  return group;
+}
+
+/// All bodies' components in a row.
+EnclosedVector flattened(const std::vector<EnclosedVector>& velocities) {
+  EnclosedVector row;
+  for (const EnclosedVector& v : velocities) row.insert(row.end(), v.begin(), v.end());
+  return row;
+}
+
+Json group_answer(const Json& in) {
+  const certified::GroupInput group = read_group(in);
+  const certified::GroupResponse response = certified::certified_group(group);
+  if (response.boundary) throw std::invalid_argument("a collision of the group is at a boundary of rounding");
+  Json answer;
+  add(answer, "loaded", flattened(response.loaded));
+  add(answer, "restituted", flattened(response.restituted));
+  answer["cond"] = conditions(group, response);
+  return answer;
+}
+
+}  // namespace
+
+Json response_answer(std::string_view op, const Json& in) {
+  if (op == "group") return group_answer(in);
+  const eval::Operation* operation = eval::find_operation(op);
+  if (operation == nullptr) throw std::invalid_argument(fmt::format("there is no operation {}", op));
+  return one_response(*operation, in);
+}
+
+}  // namespace tps::vectors

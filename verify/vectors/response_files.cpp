@@ -1,0 +1,230 @@
+// The strata of the responses: eqs. (3) to (7) and the choice between (4) and (5).
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "verify/eval/operations.hpp"
+#include "verify/vectors/stratum.hpp"
+
+namespace tps::vectors {
+namespace {
+
+/// Every number that some response asks for.
+struct Encounter {
+  std::vector<double> u_A, u_B, v_A, v_B, dp;
+  double m_A, m_B, c, c_retract, c_revolve, theta_revolve_deg;
+};
+
+std::vector<double> in_cube(Random& random, int dimension, double half_edge) {
+  std::vector<double> x;
+  for (int k = 0; k < dimension; ++k) x.push_back(random.uniform(-half_edge, half_edge));
+  return x;
+}
+
+Encounter plain_in(Random& random, int dimension) {
+  return {.u_A = in_cube(random, dimension, 2),
+          .u_B = in_cube(random, dimension, 2),
+          .v_A = in_cube(random, dimension, 1),
+          .v_B = in_cube(random, dimension, 1),
+          .dp = in_cube(random, dimension, 1),
+          .m_A = random.uniform(0.5, 2),
+          .m_B = random.uniform(0.5, 2),
+          .c = random.uniform(0, 1),
+          .c_retract = random.uniform(0, 1),
+          .c_revolve = random.uniform(0, 1),
+          .theta_revolve_deg = random.uniform(1, 89)};
+}
+
+Encounter plain(Random& random) {
+  return plain_in(random, 3);
+}
+Encounter planar(Random& random) {
+  return plain_in(random, 2);
+}
+
+/// Ratios up to 1e30, and walls.
+Encounter masses(Random& random) {
+  Encounter e = plain(random);
+  for (double* m : {&e.m_A, &e.m_B}) {
+    const double significand = random.uniform(1, 2);
+    *m = std::ldexp(significand, random.integer(-50, 49));
+  }
+  const int wall = random.integer(0, 5);
+  if (wall == 0) e.m_A = HUGE_VAL;
+  if (wall == 1) e.m_B = HUGE_VAL;
+  return e;
+}
+
+/// Restitution 0 or 1 and the ends of the range of θ_revolve.
+Encounter coefficients(Random& random) {
+  Encounter e = plain(random);
+  for (double* c : {&e.c, &e.c_retract, &e.c_revolve}) *c = random.integer(0, 1);
+  const double angles[] = {1e-6, 45, 90 - 1e-6};
+  e.theta_revolve_deg = angles[random.integer(0, 2)];
+  return e;
+}
+
+/// Small integers, masses that are powers of two, coefficients that are multiples of 1/4: many answers are
+/// exact.
+Encounter integers(Random& random) {
+  Encounter e = plain(random);
+  for (std::vector<double>* x : {&e.u_A, &e.u_B, &e.v_A, &e.v_B, &e.dp}) {
+    for (double& component : *x) component = random.integer(-4, 4);
+  }
+  for (double* m : {&e.m_A, &e.m_B}) *m = std::ldexp(1.0, random.integer(-3, 3));
+  for (double* c : {&e.c, &e.c_retract, &e.c_revolve}) *c = random.integer(0, 4) / 4.0;
+  e.theta_revolve_deg = random.coin() ? 45 : 30;
+  return e;
+}
+
+/// r and v almost perpendicular: v_n is what cancels.
+Encounter perpendicular(Random& random) {
+  Encounter e = plain(random);
+  const double r_x = e.u_B[0] - e.u_A[0];
+  const double r_y = e.u_B[1] - e.u_A[1];
+  e.v_B = {e.v_A[0] - r_y, e.v_A[1] + r_x, e.v_A[2]};
+  return e;
+}
+
+/// The velocities differ by one unit in the last place.
+Encounter near_static(Random& random) {
+  Encounter e = plain(random);
+  e.v_B = e.v_A;
+  double& x = e.v_B[static_cast<std::size_t>(random.integer(0, 2))];
+  x = std::nextafter(x, random.coin() ? 9 : -9);
+  return e;
+}
+
+Encounter offset_origin(Random& random) {
+  Encounter e = plain(random);
+  const double offset = std::ldexp(1.0, random.integer(10, 45));
+  for (std::vector<double>* x : {&e.u_A, &e.u_B}) {
+    for (double& component : *x) component += offset;
+  }
+  return e;
+}
+
+Encounter any_scale(Random& random) {
+  Encounter e = plain(random);
+  const auto scale = [&](std::initializer_list<std::vector<double>*> vectors, int power) {
+    for (std::vector<double>* x : vectors) {
+      for (double& component : *x) component = std::ldexp(component, power);
+    }
+  };
+  scale({&e.u_A, &e.u_B}, random.integer(-400, 400));
+  scale({&e.v_A, &e.v_B, &e.dp}, random.integer(-300, 300));
+  return e;
+}
+
+Encounter float32(Random& random) {
+  Encounter e = plain(random);
+  for (std::vector<double>* x : {&e.u_A, &e.u_B, &e.v_A, &e.v_B, &e.dp}) {
+    for (double& component : *x) component = static_cast<float>(component);
+  }
+  for (double* x : {&e.m_A, &e.m_B, &e.c, &e.c_retract, &e.c_revolve, &e.theta_revolve_deg}) {
+    *x = static_cast<float>(*x);
+  }
+  return e;
+}
+
+/// |c_retract v_n| = tan θ |v_ŵ| exactly: θ = 45°, along an axis, or v_ŵ = 0 with c_retract = 0.
+Encounter boundary(Random& random) {
+  Encounter e = integers(random);
+  const double along = random.integer(1, 8);
+  const double retract = random.integer(1, 4) / 4.0;
+  e.u_B = e.u_A;
+  e.u_B[0] += random.integer(1, 4);
+  e.v_B = e.v_A;
+  e.v_B[0] += along;
+  e.theta_revolve_deg = 45;
+  e.c_retract = random.integer(0, 3) == 0 ? 0 : retract;
+  e.v_B[1] += e.c_retract * along;
+  return e;
+}
+
+/// The boundary with one number changed in its last bit.
+Encounter near_boundary(Random& random) {
+  Encounter e = boundary(random);
+  double& x = random.coin() ? e.v_B[1] : e.v_B[0];
+  x = std::nextafter(x, random.coin() ? 99 : -99);
+  return e;
+}
+
+Json input_of(const eval::Operation& operation, const Encounter& e) {
+  const std::map<std::string, Json> every{{"u_A", hex(e.u_A)},
+                                          {"u_B", hex(e.u_B)},
+                                          {"v_A", hex(e.v_A)},
+                                          {"v_B", hex(e.v_B)},
+                                          {"dp", hex(e.dp)},
+                                          {"m_A", hex(e.m_A)},
+                                          {"m_B", hex(e.m_B)},
+                                          {"c", hex(e.c)},
+                                          {"c_retract", hex(e.c_retract)},
+                                          {"c_revolve", hex(e.c_revolve)},
+                                          {"theta_revolve_deg", hex(e.theta_revolve_deg)}};
+  Json in;
+  for (const std::string& key : operation.keys) in[key] = every.at(key);
+  return in;
+}
+
+/// û needs two points, and eq. (5) a velocity across it.
+bool has_answer(const eval::Operation& operation, const Encounter& e) {
+  if (!operation.needs_axis) return true;
+  if (e.u_A == e.u_B) return false;
+  if (operation.op != eval::Op::revolution_impulse) return true;
+  double dot = 0, r = 0, v = 0;  // exact for the integers, the only stratum where v_ŵ = 0 is not by design
+  for (std::size_t k = 0; k < e.u_A.size(); ++k) {
+    dot += (e.u_B[k] - e.u_A[k]) * (e.v_B[k] - e.v_A[k]);
+    r += (e.u_B[k] - e.u_A[k]) * (e.u_B[k] - e.u_A[k]);
+    v += (e.v_B[k] - e.v_A[k]) * (e.v_B[k] - e.v_A[k]);
+  }
+  return dot * dot != r * v;
+}
+
+struct Family {
+  const char* name;
+  const char* why;
+  Encounter (*encounter)(Random&);
+};
+
+constexpr Family response_families[] = {
+    {"plain", "particles in a cube of edge 4, speeds of order 1", plain},
+    {"planar", "the same in the plane", planar},
+    {"masses", "mass ratios up to 1e30, and walls", masses},
+    {"coefficients", "restitution 0 and 1, the ends of the range of theta_revolve", coefficients},
+    {"integers", "small integers: exact answers and zeros", integers},
+    {"perpendicular", "r and v almost perpendicular", perpendicular},
+    {"near_static", "the velocities differ by one unit in the last place", near_static},
+    {"offset_origin", "two particles far from the origin", offset_origin},
+    {"any_scale", "lengths times 2^j, velocities times 2^k", any_scale},
+    {"float32", "every number exact in single precision", float32},
+};
+constexpr Family boundary_families[] = {
+    {"boundary", "|c_retract v_n| = tan(theta) |v_w| exactly: either response passes", boundary},
+    {"near_boundary", "one bit beside that boundary", near_boundary},
+};
+
+void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, const Family& family,
+                const std::vector<std::string>& accept) {
+  strata.push_back({std::string(operation.name), family.name, family.why, 60, accept,
+                    [&operation, family](Random& random, std::uint64_t) -> Problem {
+                      Encounter encounter = family.encounter(random);
+                      while (!has_answer(operation, encounter)) encounter = family.encounter(random);
+                      return {input_of(operation, encounter), {family.name}};
+                    }});
+}
+
+}  // namespace
+
+void add_response_strata(std::vector<Stratum>& strata) {
+  for (const char* name : {"apply_impulse", "collision_impulse", "revolution_impulse", "tether_response",
+                           "load", "restitution_impulse"}) {
+    const eval::Operation& operation = *eval::find_operation(name);
+    for (const Family& family : response_families) add_family(strata, operation, family, {"R", "K(16)"});
+    if (operation.op != eval::Op::tether_response) continue;
+    for (const Family& family : boundary_families) add_family(strata, operation, family, {"R", "K(16)"});
+  }
+}
+
+}  // namespace tps::vectors

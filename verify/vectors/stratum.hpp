@@ -1,0 +1,41 @@
+// Families of questions: one known-answer file each.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "verify/vectors/known_answer.hpp"
+#include "verify/vectors/random.hpp"
+
+namespace tps::vectors {
+
+/// What is asked, before it is answered.
+struct Problem {
+  Json in;
+  std::vector<std::string> tags = {};  ///< hazards
+};
+
+/// One file: cases number 0, 1, 2, … of one operation that aim at one thing.
+struct Stratum {
+  std::string op;
+  std::string name;
+  std::string why;
+  int committed;  ///< cases of levels 1 and 2, those in data/vectors
+  std::vector<std::string> accept;
+  std::function<Problem(Random&, std::uint64_t number)> problem;
+  int together = 1;  ///< so many neighbouring cases come from one stream (twins: 2)
+
+  std::string file_name() const { return op + "." + name + ".jsonl"; }
+};
+
+/// Every stratum, in the order of the files' listing. Append; a change of a case is a new `rev`.
+const std::vector<Stratum>& strata();
+
+void add_timing_strata(std::vector<Stratum>& strata);
+void add_order_strata(std::vector<Stratum>& strata);
+void add_response_strata(std::vector<Stratum>& strata);
+void add_group_strata(std::vector<Stratum>& strata);
+
+}  // namespace tps::vectors

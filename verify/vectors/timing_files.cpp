@@ -1,0 +1,94 @@
+// The strata of block_time and tether_time.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "verify/exact/exact_verdict.hpp"
+#include "verify/vectors/one_bit.hpp"
+#include "verify/vectors/stratum.hpp"
+#include "verify/vectors/timing_strata.hpp"
+
+namespace tps::vectors {
+namespace {
+
+using exact::Kind;
+using exact::TimingQuery;
+
+exact::Verdict verdict_of_query(const TimingQuery& query) {
+  exact::Counters counters;
+  return exact::exact_verdict(query, counters);
+}
+
+double& any_component(Random& random, TimingQuery& query) {
+  const int which = random.integer(0, 3);
+  return which == 3 ? query.L : query.u_B[static_cast<std::size_t>(which)];
+}
+
+/// Two queries on the two sides of a change of verdict, one bit apart.
+std::pair<TimingQuery, TimingQuery> verdict_twins(Random& random, Kind kind) {
+  const std::vector<exact::strata::TimingStratum>& families = exact::strata::timing_strata();
+  for (int attempt = 0; attempt < 10000; ++attempt) {
+    const auto family = static_cast<std::size_t>(random.integer(0, 5));  // plain, graze, …, tangent
+    TimingQuery query = families[family].query(random, kind);
+    double& x = any_component(random, query);
+    const double first = x;
+    const double side = random.coin() ? 1 : -1;
+    const double step = side * std::ldexp(1.0, -random.integer(1, 40));
+    const double last = x * (1 + step);
+    if (first == 0 || first == last) continue;
+    const exact::Verdict verdict = verdict_of_query(query);
+    x = last;
+    if (verdict_of_query(query) == verdict) continue;
+    const auto [near, far] = straddling_doubles(first, last, [&](double middle) {
+      x = middle;
+      return verdict_of_query(query) == verdict;
+    });
+    x = near;
+    const TimingQuery one = query;
+    x = far;
+    return {one, query};
+  }
+  throw std::logic_error("no change of verdict found; the families of timing_strata() have changed");
+}
+
+bool is_planar(const TimingQuery& query) {
+  return query.u_A[2] == 0 && query.u_B[2] == 0 && query.v_A[2] == 0 && query.v_B[2] == 0;
+}
+
+/// Even cases of the plane in 2 components, odd ones with z = 0 written out.
+int written_dimension(const TimingQuery& query, std::uint64_t number) {
+  return is_planar(query) && number % 2 == 0 ? 2 : 3;
+}
+
+std::vector<std::string> tags_of(const TimingQuery& query, std::string_view stratum) {
+  std::vector<std::string> tags{std::string(stratum)};
+  if (is_planar(query)) tags.emplace_back("planar");
+  return tags;
+}
+
+}  // namespace
+
+void add_timing_strata(std::vector<Stratum>& strata) {
+  const std::vector<std::string> accept{"R", "K(8)"};
+  for (const Kind kind : {Kind::block, Kind::tether}) {
+    const std::string op = kind == Kind::block ? "block_time" : "tether_time";
+    for (const exact::strata::TimingStratum& family : exact::strata::timing_strata()) {
+      strata.push_back(
+          {op, std::string(family.name), std::string(family.why), family.name == "graze" ? 300 : 125, accept,
+           [kind, family](Random& random, std::uint64_t number) -> Problem {
+             const TimingQuery query = family.query(random, kind);
+             return {timing_input(query, written_dimension(query, number)), tags_of(query, family.name)};
+           },
+           family.name == "planar" ? 2 : 1});
+    }
+    strata.push_back({op, "twins", "one bit apart on the two sides of a change of verdict", 200, accept,
+                      [kind](Random& random, std::uint64_t number) -> Problem {
+                        const auto [one, other] = verdict_twins(random, kind);
+                        const TimingQuery& query = number % 2 == 0 ? one : other;
+                        return {timing_input(query, 3), tags_of(query, "twin")};
+                      },
+                      2});
+  }
+}
+
+}  // namespace tps::vectors
