@@ -151,6 +151,13 @@ def check_enclosure(names, enclosures, values, error):
             check_nearest(name, lo, hi, (F_lo + F_hi) / 2 - x)
 
 
+def check_results(answer, values, rational):
+    scale = sum(abs(x) for v in values.values() for x in v)
+    claim(set(values) == set(answer["out"]), "keys of out")
+    for key, components in values.items():
+        check_enclosure(answer["nearest"][key], answer["out"][key], components, 0 if rational else SPARE * scale)
+
+
 def check_response(case, op):
     q = case["in"]
     for answer in [case] + case.get("also", []):
@@ -160,7 +167,4 @@ def check_response(case, op):
         else:
             values = response(op, q, kind)
         rational = op != "revolution_impulse" and kind != "revolve" and "outer" not in str(q)
-        scale = sum(abs(x) for v in values.values() for x in v)
-        claim(set(values) == set(answer["out"]), "keys of out")
-        for key, components in values.items():
-            check_enclosure(answer["nearest"][key], answer["out"][key], components, 0 if rational else SPARE * scale)
+        check_results(answer, values, rational)

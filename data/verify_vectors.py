@@ -8,7 +8,7 @@ says the branch) and of its discriminant. Responses are in verify_responses.py. 
 """
 import glob, json, math, os, sys
 
-from verify_responses import check_nearest, check_response, claim, dot, double
+from verify_responses import F, Pair, check_nearest, check_response, check_results, claim, dot, double, inverse_mass, plus, root, vector
 
 BROKEN = ValueError, KeyError, TypeError, AttributeError, ArithmeticError, IndexError
 NOW, NEVER = {"overlap", "contact", "taut", "overstretched"}, {"static", "receding", "miss", "tangent"}
@@ -97,9 +97,46 @@ def check_timing(case, kind):
     check_nearest(case["nearest"], lo, hi, q.side(*mid))
 
 
+def limits(scene):
+    """Every (pair law, i, j, kind, query) that can be the next event."""
+    particles, tethers = scene["particles"], [set(t) for t in scene.get("tethers", [])]
+    mass = [scene["species"][p["species"]]["mass"] for p in particles]
+    for j, B in enumerate(particles):
+        for i, A in enumerate(particles[:j]):
+            laws = [p for p in scene["pairs"] if sorted(p["between"]) == sorted((A["species"], B["species"]))]
+            for kind in ("blocking", "tethering") if {i, j} in tethers else ("blocking",):
+                if laws and not mass[i] == mass[j] == "inf":
+                    state = {"u_A": A["position"], "u_B": B["position"], "v_A": A["velocity"], "v_B": B["velocity"]}
+                    query = Query({**state, "L": laws[0][kind]["distance"]}, "tether" if kind == "tethering" else "block")
+                    yield laws[0][kind], i, j, kind, query
+
+
+def check_next_event(case):
+    scene = case["in"]["scene"]
+    possible = [e for e in limits(scene) if e[4].verdict not in NEVER]
+    law, i, j, kind, first = possible[0]
+    for event in possible[1:]:
+        if order(event[4], first) == "before":
+            law, i, j, kind, first = event
+    claim(sum(order(e[4], first) == "equal" for e in possible) == 1, "two events at one instant")
+    claim((case["i"], case["j"]) == (i, j), f"the next event is of {i} and {j}")
+    dt = (F(-first.h) + (1 if first.larger else -1) * root(F(first.D))) / first.a
+    u = [plus(vector(p, "position"), vector(p, "velocity"), dt) for p in scene["particles"]]
+    v = [vector(p, "velocity") for p in scene["particles"]]
+    w = [inverse_mass(scene["species"][p["species"]], "mass") for p in scene["particles"]]
+    pair = Pair(plus(u[j], u[i], -1), plus(v[j], v[i], -1), w[i], w[j])
+    kinds = pair.kinds(law) if kind == "tethering" else ["rebound"]
+    claim([case["kind"]] == kinds, f"the event is a {kinds}")
+    dp = pair.impulse(kinds[0], {"c": law["c_rebound"]} if kind == "blocking" else law)
+    v[i], v[j] = plus(v[i], dp, w[i]), plus(v[j], dp, -w[j])
+    check_results(case, {"dt": [dt], "positions": sum(u, []), "velocities": sum(v, [])}, rational=False)
+
+
 def check(case, op):
     if op.endswith("_time"):
         return check_timing(case, op[:-5])
+    if op == "next_event":
+        return check_next_event(case)
     if op != "order":
         return check_response(case, op)
     found = order(*(Query(case["in"][k], case["in"][k]["kind"]) for k in ("first", "second")))

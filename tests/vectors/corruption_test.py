@@ -48,6 +48,9 @@ def corruptions(case):
         ends = case["out"][key][0]
         if ends[0] != ends[1] and case["nearest"][key][0] != "mid":
             yield broken(lambda c: c["nearest"][key].__setitem__(0, swapped(c["nearest"][key][0], ["lo", "hi"])))
+    for key in ("i", "j"):
+        if key in case:
+            yield broken(lambda c: c.update({key: c[key] + 1}))
     if "kind" in case and "also" not in case:
         yield broken(lambda c: c.update(kind=swapped(c["kind"], ["retract", "revolve"])))
 

@@ -126,6 +126,26 @@ std::optional<std::string> wrong_response(const Json& answer, const Json& known_
   return std::nullopt;
 }
 
+/// The protocol's list of particles as rows of positions and velocities, in the order of ids.
+Json in_rows(Json out) {
+  Json state = out.value("state", Json::array());
+  std::sort(state.begin(), state.end(), [](const Json& one, const Json& other) {
+    return one.at("id").get<int>() < other.at("id").get<int>();
+  });
+  for (const Json& particle : state) {
+    out["positions"].push_back(particle.at("position"));
+    out["velocities"].push_back(particle.at("velocity"));
+  }
+  return out;
+}
+
+std::optional<std::string> wrong_event(const Json& known_case, const Json& out) {
+  for (const char* key : {"i", "j"}) {
+    if (const auto wrong = wrong_word(key, known_case.at(key), out)) return wrong;
+  }
+  return wrong_response(known_case, known_case, in_rows(out));
+}
+
 }  // namespace
 
 std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
@@ -141,6 +161,7 @@ std::optional<std::string> wrong_in_answer(const std::string& op, const Json& kn
   if (!out.is_object()) return "out is not an object";
   try {
     if (op == "order") return wrong_word("order", known_case.at("order"), out);
+    if (op == "next_event") return wrong_event(known_case, out);
     if (known_case.contains("verdict")) return wrong_time(known_case, out);
     const auto wrong = wrong_response(known_case, known_case, out);
     for (const Json& other : known_case.value("also", Json::array())) {
@@ -148,6 +169,8 @@ std::optional<std::string> wrong_in_answer(const std::string& op, const Json& kn
     }
     return wrong;
   } catch (const std::invalid_argument& error) {
+    return error.what();
+  } catch (const nlohmann::json::exception& error) {
     return error.what();
   }
 }

@@ -14,6 +14,7 @@ const std::vector<Stratum>& strata() {
     add_order_strata(made);
     add_response_strata(made);
     add_group_strata(made);
+    add_next_event_strata(made);
     return made;
   }();
   return table;

@@ -27,12 +27,6 @@ Json vector_of(const Vec3& x, int dimension) {
   return hex(std::vector<double>(x.begin(), x.begin() + dimension));
 }
 
-/// Three digits: a condition number is a size.
-Json rounded_condition(const std::optional<double>& condition) {
-  if (!condition || !std::isfinite(*condition)) return nullptr;
-  return std::stod(fmt::format("{:.2e}", *condition));
-}
-
 Json timing_answer(const TimingQuery& query) {
   const TimingProof proof = prove(query);
   Json answer{{"verdict", exact::name(proof.verdict)}};
@@ -76,6 +70,11 @@ Json order_answer(const Json& in) {
 }
 
 }  // namespace
+
+Json rounded_condition(const std::optional<double>& condition) {
+  if (!condition || !std::isfinite(*condition)) return nullptr;
+  return std::stod(fmt::format("{:.2e}", *condition));
+}
 
 Json hex(double x) {
   return write_hex_float(x);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,9 @@ using Json = nlohmann::ordered_json;
 /// A double as files spell it: a hexadecimal float, or "inf".
 Json hex(double x);
 Json hex(const std::vector<double>& x);
+/// Three digits, since a condition number is a size; null where it is absent or infinite.
+Json rounded_condition(const std::optional<double>& condition);
+
 double read_number(const Json& value);
 std::vector<double> read_vector(const Json& value);
 

@@ -4,37 +4,23 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "verify/certified/certified_response.hpp"
+#include "verify/vectors/enclosure_json.hpp"
+#include "verify/vectors/next_event_answer.hpp"
 #include "verify/vectors/response_condition.hpp"
 
 namespace tps::vectors {
 namespace {
 
 using certified::EnclosedVector;
-using certified::Enclosure;
-
-const char* nearest_name(const Enclosure& e) {
-  return e.nearest == e.lo ? "lo" : e.nearest == e.hi ? "hi" : "mid";
-}
-
-/// Adds one result: its enclosures, and which double of each is the nearest.
-void add(Json& answer, const std::string& key, const EnclosedVector& components) {
-  Json enclosures = Json::array();
-  Json nearest = Json::array();
-  for (const Enclosure& e : components) {
-    enclosures.push_back({hex(e.lo), hex(e.hi)});
-    nearest.push_back(nearest_name(e));
-  }
-  answer["out"][key] = enclosures;
-  answer["nearest"][key] = nearest;
-}
 
 Json answer_of(const certified::Response& response) {
   Json answer;
   if (!response.kind.empty()) answer["kind"] = response.kind;
-  for (const auto& [key, components] : response.values) add(answer, key, components);
+  for (const auto& [key, components] : response.values) add_enclosures(answer, key, components);
   return answer;
 }
 
@@ -90,8 +76,8 @@ Json group_answer(const Json& in) {
   const certified::GroupResponse response = certified::certified_group(group);
   if (response.boundary) throw std::invalid_argument("a collision of the group is at a boundary of rounding");
   Json answer;
-  add(answer, "loaded", flattened(response.loaded));
-  add(answer, "restituted", flattened(response.restituted));
+  add_enclosures(answer, "loaded", flattened(response.loaded));
+  add_enclosures(answer, "restituted", flattened(response.restituted));
   answer["cond"] = conditions(group, response);
   return answer;
 }
@@ -100,6 +86,11 @@ Json group_answer(const Json& in) {
 
 Json response_answer(std::string_view op, const Json& in) {
   if (op == "group") return group_answer(in);
+  if (op == "next_event") {
+    std::optional<Json> answer = next_event_answer(in);
+    if (!answer) throw std::invalid_argument("the scene has no event, or no single one");
+    return *answer;
+  }
   const eval::Operation* operation = eval::find_operation(op);
   if (operation == nullptr) throw std::invalid_argument(fmt::format("there is no operation {}", op));
   return one_response(*operation, in);

@@ -1,11 +1,8 @@
 #include "verify/vectors/response_condition.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace tps::vectors {
 namespace {
@@ -32,9 +29,7 @@ std::vector<double> difference(const std::vector<double>& x, const std::vector<d
 }
 
 Json three_digits(double terms, double result) {
-  const double ratio = terms / result;
-  if (!std::isfinite(ratio)) return nullptr;
-  return std::stod(fmt::format("{:.2e}", std::max(1.0, ratio)));
+  return rounded_condition(std::max(1.0, terms / result));
 }
 
 /// Sizes of what the response is made of.

@@ -37,5 +37,6 @@ void add_timing_strata(std::vector<Stratum>& strata);
 void add_order_strata(std::vector<Stratum>& strata);
 void add_response_strata(std::vector<Stratum>& strata);
 void add_group_strata(std::vector<Stratum>& strata);
+void add_next_event_strata(std::vector<Stratum>& strata);
 
 }  // namespace tps::vectors
