@@ -68,10 +68,10 @@ TEST(Ties, WithinAnUlpTheExactlyEarlierEventIsFirst) {
     EXPECT_EQ(first_pair(stable), std::pair(0, 1)) << tie.offset;
     EXPECT_EQ(first_pair(certified), std::pair(1, 2)) << tie.offset;
     EXPECT_EQ(certified.events.at(0).t, tie.t);
-    // The middle one passes the first blow on: what comes out is not the same.
+    // Who strikes the middle one first changes what comes out, by far more than rounding.
     EXPECT_GT(std::abs(stable.events.back().post.at(1).velocity[1] -
                        certified.events.back().post.at(1).velocity[1]),
-              1e-3)
+              1e-6)
         << tie.offset;
     ASSERT_TRUE(certified.summary.certified);
     EXPECT_GT(certified.summary.certified->order.calls, 0U);

@@ -79,15 +79,18 @@ TEST(Eq2PaperDouble, SelectedByApproachItKeepsTheErrorsOfThePrintedFormulas) {
   EXPECT_EQ((block_time<double, 2>(zero, graze, zero, Vec(1, 0), 1.).verdict), TimingVerdict::hit);
   EXPECT_EQ((paper_block_time<double, 2>(zero, graze, zero, Vec(1, 0), 1.).verdict), TimingVerdict::tangent);
   const Vec near(1 + 0x1p-50, 0);
-  EXPECT_NEAR(
-      *paper_block_time<double, 2>(zero, near, zero, Vec(-.75, .4), 1.).t / 1.18423789293350046e-15 - 1, .038,
-      .001);
+  constexpr double exact = 1.18423789293350046e-15;  // by symmetry for both limits
+  const std::optional<double> printed =
+      paper_block_time<double, 2>(zero, Vec(1 + 0x1p-50, 0), zero, Vec(-.75, .4), 1.).t;
+  ASSERT_TRUE(printed);
+  EXPECT_NEAR(*printed / exact - 1, .038, .001);
   const Vec inside(1 - 0x1p-50, 0);
-  EXPECT_NEAR(
-      *paper_tether_time<double, 2>(zero, inside, zero, Vec(.75, .4), 1.).t / 1.1842378929335002e-15 - 1,
-      0.038, .001);
-  EXPECT_NEAR(*tether_time<double, 2>(zero, inside, zero, Vec(.75, .4), 1.).t / 1.1842378929335002e-15 - 1, 0,
-              4 * 0x1p-53);
+  const std::optional<double> printed_outer =
+      paper_tether_time<double, 2>(zero, inside, zero, Vec(.75, .4), 1.).t;
+  const std::optional<double> stable_outer = tether_time<double, 2>(zero, inside, zero, Vec(.75, .4), 1.).t;
+  ASSERT_TRUE(printed_outer && stable_outer);
+  EXPECT_NEAR(*printed_outer / exact - 1, .038, .001);
+  EXPECT_NEAR(*stable_outer / exact - 1, 0, 8 * 0x1p-53);  // seven roundings, and one of `exact`
 }
 
 TEST(Eq2PaperDouble, RootsThatOverflowAreNotFinite) {
