@@ -152,8 +152,26 @@ TEST(Ties, TheClockWaitsForAnEventThatWasComputedTooEarly) {
   EXPECT_EQ(certified.events[2].exact_dt, "0x0p+0");
 }
 
+/// The pair (0, 1) starts to close at 2^-60 and needs 1 − 2^-60, which rounds to 1: computed at 1 + 2^-60, in
+/// fact at 1 like the pair (2, 3).
+Scene tie_computed_apart() {
+  Scene scene = testing::plain_scene();
+  testing::block(scene, 0, 0);
+  add_particle(scene, 0, {0x1p-60, 0, 0});
+  add_particle(scene, 0, {2, 0, 0});
+  add_particle(scene, 0, {0, 100, 0});
+  add_particle(scene, 0, {2, 100, 0}, {-1, 0, 0});
+  scene.impulses = {{.at = 0x1p-60, .particle = 1, .impulse = {-1, 0, 0}}};
+  return scene;
+}
+
+TEST(Ties, AnExactTieThatWasComputedApartGoesByIds) {
+  EXPECT_EQ(timed(tie_computed_apart(), Timing::stable).events.at(1).i, 2);
+  EXPECT_EQ(timed(tie_computed_apart(), Timing::certified).events.at(1).i, 0);
+}
+
 TEST(Ties, ARunCutAtAnyEventGoesOnToTheSameBytes) {
-  std::vector<Scene> scenes = {later_but_earlier(kNearTies[0]), two_pairs(-11, true)};
+  std::vector<Scene> scenes = {later_but_earlier(kNearTies[0]), two_pairs(-11, true), tie_computed_apart()};
   for (const NearTie& tie : kNearTies) {
     scenes.push_back(near_tie_scene(tie));
     scenes.push_back(impulse_scene(tie));

@@ -94,6 +94,7 @@ TEST(MomentOrder, ExactTiesFromDifferentStarts) {
   EXPECT_EQ(moments_in_order({1, 0x1p-80, six, 1}, {2, 0, five, 1}), "after");
   EXPECT_EQ(moments_in_order({1, 0, six, 1}, {2, 0x1p-1074, five, 1}), "before");
   EXPECT_EQ(moments_in_order({1, 0, six, 1}, known(7)), "equal");
+  EXPECT_EQ(moments_in_order({1, 0x1p-70, six, 1}, known(7, 0x1p-70)), "equal");
   EXPECT_EQ(moments_in_order({1, 0, six, 1}, known(7, -0x1p-900)), "after");
   const TimingQuery irrational = strata::relative(Kind::block, {-7, 1, 0}, {1, 0, 0}, 3);  // 7 − √8
   const TimingQuery longer = strata::relative(Kind::block, {-8, 0, 1}, {1, 0, 0}, 3);      // 8 − √8
