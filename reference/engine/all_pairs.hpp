@@ -46,21 +46,19 @@ class AllPairs {
     const Law<Scalar>& law = world.law(i, j);
     if (!law.blocking && !law.tethering) return;
     if (world.coupling->together(i, j)) return;
-    const Time<Scalar>& clock_i = world.particles[world.index(i)].clock;
-    const Time<Scalar>& clock_j = world.particles[world.index(j)].clock;
-    const Time<Scalar> start = clock_i < clock_j ? clock_j : clock_i;
-    const PairView<Scalar, D> pair{
-        i, j, world.position(i, start), world.position(j, start), world.velocity(i), world.velocity(j)};
+    const PairView<Scalar, D> pair = world.view(i, j);
     std::optional<Scalar> earliest;
     int effect = 0;
     for (const Predictor& predictor : predictors_) {
-      const std::optional<Scalar> dt = predictor.effect->predict(world, pair);
+      const std::optional<LimitQuestion<Scalar>> question = predictor.effect->asks(world, i, j);
+      if (!question) continue;
+      const std::optional<Scalar> dt = world.timing.next(pair, *question);
       if (!dt || (earliest && !(*dt < *earliest))) continue;
       earliest = dt;
       effect = predictor.index;
     }
     if (!earliest) return;
-    const Time<Scalar> time = after(start, *earliest);
+    const Time<Scalar> time = after(pair.start, *earliest);
     if (time < Time<Scalar>::never()) world.queue.push(world.pending(time, Rank::collision, i, j, 0, effect));
   }
 

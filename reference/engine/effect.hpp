@@ -12,21 +12,14 @@
 #include "reference/engine/clock.hpp"
 #include "reference/engine/effect_call.hpp"
 #include "reference/engine/laws.hpp"
+#include "reference/engine/pair_timing.hpp"
 #include "reference/engine/queue.hpp"
-#include "reference/equations/vector.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
 
 template <typename Scalar, int D>
 class World;
-
-/// Two particles at one moment, the later of their two clocks.
-template <typename Scalar, int D>
-struct PairView {
-  int i, j;  ///< i < j
-  Vector<Scalar, D> u_i, u_j, v_i, v_j;
-};
 
 /// "species A - species B", as a place of a scene.
 inline std::string between(const Scene& scene, const PairLaw& pair) {
@@ -62,8 +55,9 @@ class Effect {
   /// Queues the events that it knows in advance, on the present state: at the start and after a resume.
   virtual void queue_known(World<Scalar, D>&) {}
 
-  /// The time from now to this effect's next event of a pair, if it has one on the present states.
-  virtual std::optional<Scalar> predict(const World<Scalar, D>&, const PairView<Scalar, D>&) const {
+  /// What decides about this effect's next event of a pair, i < j, on the present states; nothing where it
+  /// has none.
+  virtual std::optional<LimitQuestion<Scalar>> asks(const World<Scalar, D>&, int /*i*/, int /*j*/) const {
     return std::nullopt;
   }
   virtual bool predicts_pairs() const { return false; }

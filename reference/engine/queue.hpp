@@ -34,8 +34,12 @@ struct PendingEvent {
   std::uint32_t first_revision, second_revision;  ///< of the particles when this was predicted
 
   friend bool operator<(const PendingEvent& a, const PendingEvent& b) {
-    if (!(a.time == b.time)) return a.time < b.time;
-    return std::tie(a.rank, a.first, a.second, a.detail) < std::tie(b.rank, b.first, b.second, b.detail);
+    return a.time == b.time ? a.precedes_in_rank(b) : a.time < b.time;
+  }
+  /// The order of events at one time.
+  bool precedes_in_rank(const PendingEvent& other) const {
+    return std::tie(rank, first, second, detail) <
+           std::tie(other.rank, other.first, other.second, other.detail);
   }
 };
 

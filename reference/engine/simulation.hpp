@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "reference/engine/effect.hpp"
 #include "reference/engine/effect_catalogue.hpp"
 #include "reference/engine/energy.hpp"
+#include "reference/engine/next_event.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps {
@@ -40,9 +42,9 @@ template <typename Scalar, int D>
 class Simulation {
  public:
   /// The scene is not copied and must outlive the simulation.
-  explicit Simulation(Scene&&) = delete;
-  explicit Simulation(const Scene& scene)
-      : world_(scene), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
+  explicit Simulation(Scene&&, const TimingChoice& = {}) = delete;
+  explicit Simulation(const Scene& scene, const TimingChoice& timing = {})
+      : world_(scene, timing), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
     world_.coupling = std::make_unique<FreeCoupling<Scalar, D>>();
     for (std::size_t n = 0; n < effects_.size(); ++n) effects_[n]->begin(world_, static_cast<int>(n));
     world_.ledger.kinetic_at_start = kinetic_energy(world_);
@@ -56,8 +58,8 @@ class Simulation {
 
   /// The time of the next event; never() if there is none.
   Time<Scalar> next_time() {
-    const PendingEvent<Scalar>* next = next_event();
-    return next != nullptr ? next->time : Time<Scalar>::never();
+    const std::optional<PendingEvent<Scalar>>& next = next_event();
+    return next ? next->time : Time<Scalar>::never();
   }
 
   /// Processes the next event. REQUIRES that there is one.
@@ -65,7 +67,7 @@ class Simulation {
   /// (1) advance the clock, (2) respond, (3) predict again the pairs of whatever was touched.
   void step() {
     const PendingEvent<Scalar> event = *next_event();
-    world_.queue.pop();
+    next_.reset();
     note_progress(event.time);
     world_.now = event.time;
     effects_[World<Scalar, D>::index(event.effect)]->respond(world_, event);
@@ -91,6 +93,7 @@ class Simulation {
   void resume(std::uint64_t progress_event) {
     progress_event_ = progress_event;
     world_.queue = {};
+    next_.reset();
     predict_everything();
   }
 
@@ -100,8 +103,10 @@ class Simulation {
     pairs_.predict_all(world_);
   }
 
-  const PendingEvent<Scalar>* next_event() {
-    return world_.queue.next([this](const PendingEvent<Scalar>& event) { return world_.is_live(event); });
+  /// Out of the queue already; kept until step() takes it.
+  const std::optional<PendingEvent<Scalar>>& next_event() {
+    if (!next_) next_ = take_next(world_, effects_);
+    return next_;
   }
 
   void note_progress(const Time<Scalar>& time) {
@@ -117,6 +122,7 @@ class Simulation {
   World<Scalar, D> world_;
   std::vector<std::unique_ptr<Effect<Scalar, D>>> effects_;
   AllPairs<Scalar, D> pairs_;
+  std::optional<PendingEvent<Scalar>> next_;
   std::uint64_t progress_event_ = 0;
 };
 

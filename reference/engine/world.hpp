@@ -17,6 +17,7 @@
 #include "reference/engine/coupling.hpp"
 #include "reference/engine/laws.hpp"
 #include "reference/engine/ledger.hpp"
+#include "reference/engine/pair_timing.hpp"
 #include "reference/engine/queue.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/engine/statistics.hpp"
@@ -43,9 +44,10 @@ class World {
  public:
   using Vec = Vector<Scalar, D>;
 
-  explicit World(const Scene& scene_in);
+  World(const Scene& scene_in, const TimingChoice& timing_in);
 
   const Scene& scene;
+  const PairTiming<Scalar, D> timing;
   Laws<Scalar> laws;
   Time<Scalar> now;
   Time<Scalar> last_event;
@@ -78,6 +80,14 @@ class World {
   Vec position(int i, const Time<Scalar>& t) const {
     const ParticleState<Scalar, D>& p = particles[index(i)];
     return p.clock == t ? p.position : Vec(p.position + p.velocity * elapsed(p.clock, t));
+  }
+
+  /// Two particles, i < j, the one with the earlier clock advanced to the later one's.
+  PairView<Scalar, D> view(int i, int j) const {
+    const Time<Scalar>& clock_i = particles[index(i)].clock;
+    const Time<Scalar>& clock_j = particles[index(j)].clock;
+    const Time<Scalar>& start = clock_i < clock_j ? clock_j : clock_i;
+    return {i, j, start, position(i, start), position(j, start), velocity(i), velocity(j)};
   }
 
   /// Advances a particle's stored state to now. Infinite masses keep theirs: nothing ever changes it.
@@ -131,8 +141,9 @@ inline std::vector<bool> infinite_masses(const Scene& scene) {
 }
 
 template <typename Scalar, int D>
-World<Scalar, D>::World(const Scene& scene_in)
+World<Scalar, D>::World(const Scene& scene_in, const TimingChoice& timing_in)
     : scene(scene_in),
+      timing(timing_in),
       laws(scene_in),
       revisions(scene_in.particles.size(), 0),
       tethers(scene_in.particles.size()),

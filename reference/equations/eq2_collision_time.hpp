@@ -4,61 +4,13 @@
 
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <type_traits>
 
 #include "reference/equations/eq2_approach.hpp"
+#include "reference/equations/timing_verdict.hpp"
 #include "reference/equations/vector.hpp"
 
 namespace tps {
-
-/// Which case of the quadratic a timing query fell into.
-enum class TimingVerdict {
-  static_pair,    ///< v = 0: the distance does not change
-  receding,       ///< blocking, h ≥ 0: not approaching
-  overlap,        ///< blocking, approaching from inside the limit: at once
-  contact,        ///< blocking, approaching from exactly the limit: at once
-  miss,           ///< blocking, D < 0: passes by
-  tangent,        ///< blocking, D = 0: touches without approach, the impulse would be zero
-  hit,            ///< reaches the limit at t
-  taut,           ///< tethering, separating from exactly the limit: at once
-  overstretched,  ///< tethering, separating from outside the limit: at once
-  turning,        ///< tethering, outside and never back inside by itself: pulled where it turns outward
-};
-
-/// The name of a verdict in files and reports.
-constexpr std::string_view name(TimingVerdict verdict) {
-  switch (verdict) {
-    case TimingVerdict::static_pair:
-      return "static";
-    case TimingVerdict::receding:
-      return "receding";
-    case TimingVerdict::overlap:
-      return "overlap";
-    case TimingVerdict::contact:
-      return "contact";
-    case TimingVerdict::miss:
-      return "miss";
-    case TimingVerdict::tangent:
-      return "tangent";
-    case TimingVerdict::hit:
-      return "hit";
-    case TimingVerdict::taut:
-      return "taut";
-    case TimingVerdict::overstretched:
-      return "overstretched";
-    case TimingVerdict::turning:
-      return "turning";
-  }
-  return "unknown";
-}
-
-/// The answer to a timing query: `t` ≥ 0 from now, absent where there is no event.
-template <typename Scalar>
-struct CollisionTime {
-  TimingVerdict verdict;
-  std::optional<Scalar> t;
-};
 
 /// When a pair at relative position r with relative velocity v next is at distance L *and approaching*.
 ///

@@ -1,5 +1,6 @@
-// Eq. (2), literally: the roots and the selection rule as the paper prints them. Kept for comparison; the
-// rule that this project computes with is in eq2_collision_time.hpp, which also says what it mends.
+// Eq. (2), literally: the roots and the selection rule as the paper prints them, and the same roots selected
+// by approach (`--timing paper`). Kept for comparison; what this project computes with is in
+// eq2_collision_time.hpp, which also says what it mends.
 #pragma once
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "reference/equations/timing_verdict.hpp"
 #include "reference/equations/vector.hpp"
 
 namespace tps {
@@ -61,6 +63,50 @@ std::optional<Scalar> paper_time(const Vector<Scalar, D>& u_A, const Vector<Scal
   if (roots.minus && *roots.minus >= Scalar(0)) return roots.minus;
   if (roots.plus && *roots.plus >= Scalar(0)) return roots.plus;
   return std::nullopt;
+}
+
+namespace detail {
+
+template <typename Scalar>
+std::optional<Scalar> at_least_zero(const std::optional<Scalar>& t) {
+  return t && *t < Scalar(0) ? std::optional<Scalar>(Scalar(0)) : t;
+}
+
+}  // namespace detail
+
+/// Eq. (2) as printed, selected by approach: the decision table of semantics §1 for blocking, read off the
+/// printed b, c and b² − 4ac, and the printed quotient with the minus sign.
+///
+/// @return verdict and t as block_time() has them; t is also absent where the quotient is not finite.
+/// Accuracy: none is promised. Near a graze b² − 4ac has any sign, and the quotient cancels near the limit;
+/// no scaling: squares may over- or underflow.
+template <typename Scalar, int D>
+CollisionTime<Scalar> paper_block_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                                       const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
+                                       const std::type_identity_t<Scalar>& L) {
+  const PaperRoots<Scalar> q = paper_roots<Scalar, D>(u_A, u_B, v_A, v_B, L);
+  const Scalar zero(0);
+  if (v_A == v_B) return {TimingVerdict::static_pair, std::nullopt};
+  if (!(q.b < zero)) return {TimingVerdict::receding, std::nullopt};
+  if (q.c < zero) return {TimingVerdict::overlap, zero};
+  if (q.c == zero) return {TimingVerdict::contact, zero};
+  if (q.discriminant == zero) return {TimingVerdict::tangent, std::nullopt};
+  if (!(q.discriminant > zero)) return {TimingVerdict::miss, std::nullopt};
+  return {TimingVerdict::hit, detail::at_least_zero(q.minus)};
+}
+
+/// The same for tethering, with the plus sign; `turning` is at −b/2a.
+template <typename Scalar, int D>
+CollisionTime<Scalar> paper_tether_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                                        const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
+                                        const std::type_identity_t<Scalar>& L) {
+  const PaperRoots<Scalar> q = paper_roots<Scalar, D>(u_A, u_B, v_A, v_B, L);
+  const Scalar zero(0);
+  if (v_A == v_B) return {TimingVerdict::static_pair, std::nullopt};
+  if (q.c < zero) return {TimingVerdict::hit, detail::at_least_zero(q.plus)};
+  if (!(q.b < zero)) return {q.c == zero ? TimingVerdict::taut : TimingVerdict::overstretched, zero};
+  if (q.c == zero || q.discriminant > zero) return {TimingVerdict::hit, detail::at_least_zero(q.plus)};
+  return {TimingVerdict::turning, -q.b / (Scalar(2) * q.a)};
 }
 
 }  // namespace tps

@@ -21,6 +21,21 @@ std::optional<ScalarKind> scalar_kind(std::string_view name) {
   return static_cast<ScalarKind>(found - scalar_names().begin());
 }
 
+const std::vector<std::string>& timing_names() {
+  static const std::vector<std::string> names = {"paper", "stable", "certified"};
+  return names;
+}
+
+std::optional<Timing> timing_named(std::string_view name) {
+  const auto found = std::find(timing_names().begin(), timing_names().end(), name);
+  if (found == timing_names().end()) return std::nullopt;
+  return static_cast<Timing>(found - timing_names().begin());
+}
+
+bool can_be_timed(ScalarKind scalar, Timing timing) {
+  return timing != Timing::certified || scalar == ScalarKind::float_ || scalar == ScalarKind::double_;
+}
+
 std::uint64_t default_state_every(const Scene& scene) {
   return std::max<std::uint64_t>(1000, 10 * scene.particles.size());
 }
@@ -29,12 +44,15 @@ namespace {
 
 void require_same_run(const std::string& checkpoint, const TraceHead& head, const std::string& trace) {
   const TraceHead other = read_trace_head(trace);
-  if (other.scene == head.scene && other.scalar == head.scalar && other.state_every == head.state_every)
+  if (other.scene == head.scene && other.scalar == head.scalar && other.timing == head.timing &&
+      other.state_every == head.state_every) {
     return;
-  throw InputError({{trace, 1, "",
-                     "is the trace of another run than the checkpoint '" + checkpoint +
-                         "' (scene, scalar or state_every differ); give its own trace, or another file name "
-                         "with --resume and the trace itself"}});
+  }
+  throw InputError(
+      {{trace, 1, "",
+        "is the trace of another run than the checkpoint '" + checkpoint +
+            "' (scene, scalar, timing or state_every differ); give its own trace, or another file name "
+            "with --resume and the trace itself"}});
 }
 
 RunSummary run_any(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
@@ -65,6 +83,7 @@ RunSummary resume_run(const std::string& path, const RunOptions& options) {
   const TraceHead head = read_trace_head(path);
   RunOptions resumed = options;
   resumed.scalar = head.scalar;
+  resumed.timing = head.timing;
   resumed.state_every = head.state_every;
   ResumePoint point = last_state(path);
   if (is_checkpoint(path) && !options.trace.empty()) {

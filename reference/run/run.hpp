@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/engine/timing.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
@@ -23,8 +24,17 @@ const std::vector<std::string>& scalar_names();
 /// Nothing for an unknown name.
 std::optional<ScalarKind> scalar_kind(std::string_view name);
 
+/// "paper", "stable", "certified", in the order of Timing.
+const std::vector<std::string>& timing_names();
+/// Nothing for an unknown name.
+std::optional<Timing> timing_named(std::string_view name);
+/// Whether runs in a scalar can be timed so: certified timing is for float and double.
+bool can_be_timed(ScalarKind scalar, Timing timing);
+
 struct RunOptions {
   ScalarKind scalar = ScalarKind::double_;
+  Timing timing = Timing::stable;
+  CertifiedTiming* certifier = nullptr;     ///< answers for Timing::certified, and counts
   std::optional<double> until;              ///< instead of the scene's duration
   std::optional<std::uint64_t> max_events;  ///< ends after the first step that reaches it
   std::uint64_t state_every = 0;            ///< a full state every so many events; 0: default_state_every
@@ -66,8 +76,9 @@ struct RunSummary {
   std::string exact_t;  ///< the same on the scene's clock, hexadecimal
   std::uint64_t events = 0;
   std::map<std::string, std::uint64_t> by_kind;
-  double seconds = 0;             ///< of this process
-  std::uint64_t events_here = 0;  ///< of this process
+  double seconds = 0;                       ///< of this process
+  std::uint64_t events_here = 0;            ///< of this process
+  std::optional<TimingCounters> certified;  ///< of this process, under certified timing
 
   double momentum_drift = 0, momentum_bound = 0;
   double kinetic_at_start = 0, kinetic = 0, stored = 0, lost = 0, work = 0;
@@ -100,22 +111,26 @@ struct RunSummary {
       stalled_on;  ///< ids and species of the particles of the last events, if the run stalled
 };
 
-/// Simulates a scene. Throws OutputError when a result cannot be written.
+/// Simulates a scene. Throws OutputError when a result cannot be written. REQUIRES can_be_timed(), and a
+/// certifier where the timing is certified.
 RunSummary run_scene(const Scene& scene, const RunOptions& options);
 
 /// What a trace or a checkpoint says before its first event.
 struct TraceHead {
   Scene scene;
   ScalarKind scalar = ScalarKind::double_;
+  Timing timing = Timing::stable;
   std::uint64_t state_every = 0;
 };
 
 /// Reads the first line of a trace or checkpoint. Throws InputError.
 TraceHead read_trace_head(const std::string& path);
 
-/// Goes on from the last full state of a trace or checkpoint. Scene, scalar and state_every are the file's;
+/// Goes on from the last full state of a trace or checkpoint. Scene, scalar, timing and state_every are the
+/// file's;
 /// events behind that state are simulated again, with the same result. The trace goes to options.trace, which
-/// may be the same file. Throws InputError, OutputError.
+/// may be the same file. REQUIRES a certifier, which a file with certified timing needs. Throws InputError,
+/// OutputError.
 RunSummary resume_run(const std::string& path, const RunOptions& options);
 
 }  // namespace tps

@@ -25,7 +25,7 @@ class RecordedRun {
         options_(options),
         duration_(options.until.value_or(scene.duration)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
-        simulation_(scene),
+        simulation_(scene, {options.timing, options.certifier}),
         files_(scene, options, state_every_, restored(resume)),
         schedule_(scene, scene.duration) {
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
@@ -174,6 +174,7 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   s.events_here = world().events - first_event_;
   s.by_kind = {world().statistics.by_kind.begin(), world().statistics.by_kind.end()};
   s.seconds = seconds;
+  if (options_.timing == Timing::certified) s.certified = options_.certifier->counters();
   summarise_conservation(s);
   s.worst_inner_excess = static_cast<double>(world().statistics.worst_inner_excess);
   s.worst_outer_excess = static_cast<double>(world().statistics.worst_outer_excess);

@@ -68,13 +68,15 @@ nlohmann::json head_of(const std::string& path) {
 
 }  // namespace
 
-std::string head_line(std::string_view kind, const Scene& scene, ScalarKind scalar,
+std::string head_line(std::string_view kind, const Scene& scene, const RunOptions& options,
                       std::uint64_t state_every) {
-  nlohmann::ordered_json head{{kind, 1},
-                              {"semantics", kSemanticsVersion},
-                              {"version", version()},
-                              {"scalar", scalar_names()[static_cast<std::size_t>(scalar)]},
-                              {"options", {{"state_every", state_every}}}};
+  nlohmann::ordered_json head{
+      {kind, 1},
+      {"semantics", kSemanticsVersion},
+      {"version", version()},
+      {"scalar", scalar_names()[static_cast<std::size_t>(options.scalar)]},
+      {"options",
+       {{"timing", timing_names()[static_cast<std::size_t>(options.timing)]}, {"state_every", state_every}}}};
   std::string line = head.dump();
   line.pop_back();
   return line.append(",\"scene\":").append(write_scene(scene, SceneStyle::compact)).append("}\n");
@@ -88,7 +90,18 @@ TraceHead read_trace_head(const std::string& path) {
     if (!scalar)
       fail(path, 1, "names the scalar '" + head.at("scalar").get<std::string>() + "', which is unknown");
     result.scalar = *scalar;
-    result.state_every = head.at("options").at("state_every");
+    const nlohmann::json& options = head.at("options");
+    const std::string timing_name = options.value("timing", "stable");
+    const std::optional<Timing> timing = timing_named(timing_name);
+    if (!timing) {
+      fail(path, 1,
+           "names the timing '" + timing_name + "', which is unknown; it is one of paper, stable, certified");
+    }
+    if (!can_be_timed(result.scalar, *timing)) {
+      fail(path, 1, "has certified timing in a scalar other than float and double, which no run has");
+    }
+    result.timing = *timing;
+    result.state_every = options.at("state_every");
     result.scene = read_scene_text(head.at("scene").dump(), path + " (scene in the first line)");
     return result;
   } catch (const nlohmann::json::exception& error) {
@@ -159,11 +172,11 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
 TraceFiles::TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
                        const ResumePoint* resume)
     : checkpoint_(options.checkpoint) {
-  if (!checkpoint_.empty()) checkpoint_head_ = head_line("checkpoint", scene, options.scalar, state_every);
+  if (!checkpoint_.empty()) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
   if (options.trace.empty()) return;
   if (resume == nullptr) {
     trace_ = std::make_unique<Output>(options.trace);
-    trace_->write(head_line("trace", scene, options.scalar, state_every));
+    trace_->write(head_line("trace", scene, options, state_every));
     return;
   }
   std::error_code ignored;

@@ -21,7 +21,8 @@ struct ResumePoint {
 };
 
 /// The first line of a trace or, with kind "checkpoint", of a checkpoint.
-std::string head_line(std::string_view kind, const Scene& scene, ScalarKind scalar,
+/// Of the options, scalar and timing count.
+std::string head_line(std::string_view kind, const Scene& scene, const RunOptions& options,
                       std::uint64_t state_every);
 
 /// The last full state of a trace or checkpoint. Throws InputError where there is none.

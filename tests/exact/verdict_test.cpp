@@ -113,19 +113,6 @@ TEST(Verdict, OverTheWholeRangeOfDouble) {
   EXPECT_EQ(verdict_name(strata::relative(Kind::block, {max, tiny, 0}, {-tiny, 0, 0}, tiny)), "tangent");
 }
 
-TEST(Verdict, InvalidQueries) {
-  const TimingQuery good = strata::relative(Kind::block, {2, 0, 0}, {-1, 0, 0}, 1);
-  EXPECT_TRUE(valid(good));
-  for (const double L : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
-    TimingQuery bad = good;
-    bad.L = L;
-    EXPECT_FALSE(valid(bad)) << L;
-  }
-  TimingQuery bad = good;
-  bad.v_A[2] = std::nan("");
-  EXPECT_FALSE(valid(bad));
-}
-
 // Which stage settles a question is part of the promise: the cheapest that can.
 TEST(Verdict, TheCheapestSufficientStageAnswers) {
   const auto counts = [](const TimingQuery& query) {

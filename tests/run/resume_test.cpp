@@ -10,6 +10,7 @@
 #include "reference/scene/input_error.hpp"
 #include "reference/trace/output.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/certified/exact_timing.hpp"
 
 namespace tps {
 namespace {
@@ -80,10 +81,19 @@ struct Whole {
   Scene scene;
   std::string scalar;
   std::uint64_t events;
+  Timing timing = Timing::stable;
 };
 
+RunOptions options_of(const Whole& w, std::uint64_t max_events) {
+  static certified::ExactTiming certifier;
+  RunOptions options = with_states(w.scalar, max_events);
+  options.timing = w.timing;
+  options.certifier = &certifier;
+  return options;
+}
+
 std::string whole_trace(const Whole& w) {
-  RunOptions options = with_states(w.scalar, w.events);
+  RunOptions options = options_of(w, w.events);
   options.trace = scratch("whole.ndjson");
   run_scene(w.scene, options);
   return read_bytes(options.trace);
@@ -93,7 +103,10 @@ std::vector<Whole> cases() {
   return {{busy_scene(), "double", 400},
           {busy_scene(), "float", 200},
           {busy_scene(), "mp50", 60},
-          {heavy_scene(), "double", 200}};
+          {heavy_scene(), "double", 200},
+          {busy_scene(), "double", 400, Timing::certified},
+          {busy_scene(), "float", 200, Timing::certified},
+          {heavy_scene(), "double", 200, Timing::paper}};
 }
 
 TEST(Resume, AfterAnyNumberOfEventsGivesTheSameBytes) {
@@ -101,10 +114,10 @@ TEST(Resume, AfterAnyNumberOfEventsGivesTheSameBytes) {
     const std::string whole = whole_trace(w);
     const std::uint64_t step = w.events / 20;
     for (std::uint64_t cut = 0; cut < w.events; cut += step + 1) {
-      RunOptions options = with_states(w.scalar, cut);
+      RunOptions options = options_of(w, cut);
       options.trace = scratch("cut.ndjson");
       run_scene(w.scene, options);
-      RunOptions on = with_states(w.scalar, w.events);
+      RunOptions on = options_of(w, w.events);
       on.trace = options.trace;
       if (cut % 2 == 0) {  // to another file; the first one stays what it was
         const std::string before = read_bytes(options.trace);
@@ -123,11 +136,11 @@ TEST(Resume, FromACheckpointGivesTheSameBytes) {
   for (const Whole& w : cases()) {
     const std::string whole = whole_trace(w);
     for (const std::uint64_t cut : {std::uint64_t{3}, std::uint64_t{7}, w.events / 2, w.events - 1}) {
-      RunOptions options = with_states(w.scalar, cut);
+      RunOptions options = options_of(w, cut);
       options.trace = scratch("cut.ndjson");
       options.checkpoint = scratch("checkpoint.json");
       run_scene(w.scene, options);
-      RunOptions on = with_states(w.scalar, w.events);
+      RunOptions on = options_of(w, w.events);
       on.trace = options.trace;
       resume_run(options.checkpoint, on);
       ASSERT_EQ(read_bytes(on.trace), whole) << w.scalar << " cut after " << cut;

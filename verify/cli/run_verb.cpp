@@ -8,6 +8,7 @@
 #include "reference/run/run.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "verify/certified/exact_timing.hpp"
 #include "verify/cli/progress.hpp"
 #include "verify/cli/summary.hpp"
 #include "verify/cli/verbs.hpp"
@@ -25,6 +26,7 @@ extern "C" void note_interrupt(int) {
 struct RunArguments {
   std::string scene;
   std::string scalar = "double";
+  std::string timing = "stable";
   std::string detector = "all-pairs";
   std::string format = "text";
   std::string resume;
@@ -47,6 +49,14 @@ RunSummary simulate(RunArguments& a) {
 
 int run(RunArguments& a) {
   a.options.scalar = *scalar_kind(a.scalar);
+  a.options.timing = *timing_named(a.timing);
+  if (!can_be_timed(a.options.scalar, a.options.timing)) {
+    throw CLI::ValidationError("--timing certified",
+                               "answers for the numbers of a run in float or double, not " + a.scalar +
+                                   "; give one of these, or --timing stable");
+  }
+  certified::ExactTiming certifier;
+  a.options.certifier = &certifier;
   a.options.interrupt = &interrupted;
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
@@ -81,6 +91,12 @@ void add_run(CLI::App& app, int& exit_code) {
   CLI::Option* scalar = verb->add_option("--scalar", a->scalar, "Type of every number in the run")
                             ->check(CLI::IsMember(scalar_names()))
                             ->capture_default_str();
+  CLI::Option* timing =
+      verb->add_option("--timing", a->timing,
+                       "How eq. (2) is answered: as printed, without cancellation, or as real arithmetic "
+                       "answers on the stored numbers, order included")
+          ->check(CLI::IsMember(timing_names()))
+          ->capture_default_str();
   verb->add_option("--detector", a->detector, "How the next collision is found")
       ->check(CLI::IsMember({"all-pairs"}))
       ->capture_default_str();
@@ -94,14 +110,15 @@ void add_run(CLI::App& app, int& exit_code) {
               "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")
           ->check(CLI::PositiveNumber);
   verb->add_option("--checkpoint", a->options.checkpoint, "Keep the latest full state in this file");
-  CLI::Option* resume = verb->add_option("--resume", a->resume,
-                                         "Go on from the last full state of a trace (by default in that "
-                                         "file) or checkpoint; scene, scalar and state-every are the file's");
+  CLI::Option* resume =
+      verb->add_option("--resume", a->resume,
+                       "Go on from the last full state of a trace (by default in that "
+                       "file) or checkpoint; scene, scalar, timing and state-every are the file's");
   verb->add_option("--format", a->format, "Of the summary")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   verb->add_flag("-q,--quiet", a->quiet, "No progress on standard error");
-  resume->excludes(scene)->excludes(scalar)->excludes(state_every);
+  resume->excludes(scene)->excludes(scalar)->excludes(timing)->excludes(state_every);
   verb->footer(
       "Example: tps run data/scenes/terminal.json -o terminal.ndjson\n"
       "         tps run --resume terminal.ndjson");

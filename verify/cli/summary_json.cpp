@@ -25,6 +25,10 @@ json clusters_json(const RunSummary& s) {
   return {{"species", s.cluster_species}, {"samples", samples}};
 }
 
+json stages_json(const StageCounts& counts) {
+  return {{"calls", counts.calls}, {"uncertain", counts.uncertain}, {"exact", counts.exact}};
+}
+
 }  // namespace
 
 std::string summary_json(const RunSummary& s) {
@@ -53,6 +57,12 @@ std::string summary_json(const RunSummary& s) {
                 {"outer_at_end", s.audit_outer_excess}}},
               {"noise", s.noise},
               {"zero_impulse", s.zero_impulse}};
+  if (s.certified) {
+    result["certified"] = {{"verdict", stages_json(s.certified->verdict)},
+                           {"time", stages_json(s.certified->time)},
+                           {"order", stages_json(s.certified->order)},
+                           {"largest_bits", s.certified->largest_bits}};
+  }
   if (s.grouping) {
     result["groups"] = {{"dt_restitute", s.dt_restitute},
                         {"largest", s.largest_group},

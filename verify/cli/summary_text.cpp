@@ -33,6 +33,19 @@ void write_conservation(Text out, const RunSummary& s) {
                  excess(s.worst_outer_excess), excess(s.audit_outer_excess));
 }
 
+void write_certified(Text out, const TimingCounters& counters) {
+  const auto stages = [&](const char* head, const char* questions, const StageCounts& counts) {
+    fmt::format_to(out, "{:<11}{}: {} asked, {} beyond doubles, {} by integers\n", head, questions,
+                   counts.calls, counts.uncertain, counts.exact);
+  };
+  stages("certified", "verdicts", counters.verdict);
+  stages("", "times", counters.time);
+  stages("", "orders", counters.order);
+  if (counters.largest_bits > 0) {
+    fmt::format_to(out, "           largest integer {} bits\n", counters.largest_bits);
+  }
+}
+
 void write_groups(Text out, const RunSummary& s) {
   const double age = s.oldest_group / s.dt_restitute;
   fmt::format_to(out,
@@ -98,6 +111,7 @@ std::string summary_text(const RunSummary& s) {
   for (const auto& [kind, count] : s.by_kind) fmt::format_to(out, " {} {}", count, kind);
   fmt::format_to(out, "\n           below rounding {}, with zero impulse {}\n", s.noise, s.zero_impulse);
   write_conservation(out, s);
+  if (s.certified) write_certified(out, *s.certified);
   if (s.grouping) write_groups(out, s);
   if (s.observes_clusters) write_clusters(out, s);
   write_final(out, s);

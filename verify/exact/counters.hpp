@@ -1,23 +1,12 @@
-// How many questions reached which stage: the price of hard cases, not hidden.
+// How many questions reached which stage.
 #pragma once
 
-#include <cstdint>
+#include "reference/engine/timing_counters.hpp"
 
 namespace tps::exact {
 
-/// Counts of one operation (verdict, time or order).
-/// Laws: (1) exact ≤ uncertain ≤ calls; (2) uncertain − exact questions were settled by double words.
-struct StageCounts {
-  std::uint64_t calls = 0;  ///< questions asked
-  std::uint64_t uncertain =
-      0;                    ///< not settled by the first stage (a time: one Newton step), or out of its range
-  std::uint64_t exact = 0;  ///< settled by integers
-};
-
+using tps::StageCounts;
 /// Counters of every filter, given by reference and owned by the caller: one a thread.
-struct Counters {
-  StageCounts verdict, time, order;
-  std::uint64_t largest_bits = 0;  ///< bits of the largest integer that decided: the precision reached
-};
+using Counters = TimingCounters;
 
 }  // namespace tps::exact

@@ -35,10 +35,14 @@ Sign sign_of_sum(const Integer& X, const Integer& Y, const Integer& A, const Int
   return smaller == Sign::positive ? S : X_sign;
 }
 
-Sign sign_of_difference(const AlgebraicTime& first, const AlgebraicTime& second) {
-  // (−h₁ + s₁√D₁)/a₁ − (−h₂ + s₂√D₂)/a₂, times a₁ a₂ > 0.
-  return sign_of_sum(second.h * first.a - first.h * second.a, first.side * second.a, first.D,
-                     -second.side * first.a, second.D);
+AlgebraicTime stretched(const AlgebraicTime& time, const Integer& factor) {
+  return {time.a, time.h * factor, time.D * factor * factor, time.side, time.time_exponent};
+}
+
+Sign sign_of_difference(const AlgebraicTime& first, const AlgebraicTime& second, const Integer& offset) {
+  // offset + (−h₁ + s₁√D₁)/a₁ − (−h₂ + s₂√D₂)/a₂, times a₁ a₂ > 0.
+  return sign_of_sum(offset * first.a * second.a + second.h * first.a - first.h * second.a,
+                     first.side * second.a, first.D, -second.side * first.a, second.D);
 }
 
 }  // namespace tps::exact

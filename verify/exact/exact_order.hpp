@@ -11,7 +11,10 @@ Sign sign_of_sum(const Integer& X, const Integer& Y, const Integer& A);
 /// The sign of X + Y √A + Z √B by two nested squarings. REQUIRES A, B ≥ 0.
 Sign sign_of_sum(const Integer& X, const Integer& Y, const Integer& A, const Integer& Z, const Integer& B);
 
-/// The sign of first − second. REQUIRES both in the same unit of time.
-Sign sign_of_difference(const AlgebraicTime& first, const AlgebraicTime& second);
+/// A time multiplied by a positive integer, or written in a unit that is smaller by that factor.
+AlgebraicTime stretched(const AlgebraicTime& time, const Integer& factor);
+
+/// The sign of offset + first − second. REQUIRES all in the same unit of time.
+Sign sign_of_difference(const AlgebraicTime& first, const AlgebraicTime& second, const Integer& offset);
 
 }  // namespace tps::exact

@@ -27,16 +27,9 @@ Dyadic dyadic(double x) {
 
 int smallest_exponent(const Vec3& x, const Vec3& y) {
   int smallest = std::numeric_limits<int>::max();
-  for (const double component : x) smallest = std::min(smallest, dyadic(component).exponent);
-  for (const double component : y) smallest = std::min(smallest, dyadic(component).exponent);
+  for (const double component : x) smallest = std::min(smallest, unit_of(component));
+  for (const double component : y) smallest = std::min(smallest, unit_of(component));
   return smallest;
-}
-
-/// x / 2^unit.
-Integer lifted(double x, int unit) {
-  const Dyadic d = dyadic(x);
-  if (d.mantissa == 0) return 0;
-  return Integer(d.mantissa) << static_cast<unsigned>(d.exponent - unit);
 }
 
 std::array<Integer, 3> lifted_difference(const Vec3& y, const Vec3& x, int unit) {
@@ -49,14 +42,24 @@ Integer dot(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y) {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
+}  // namespace
+
+int unit_of(double x) {
+  return dyadic(x).exponent;
+}
+
+Integer lifted(double x, int unit) {
+  const Dyadic d = dyadic(x);
+  if (d.mantissa == 0) return 0;
+  return Integer(d.mantissa) << static_cast<unsigned>(d.exponent - unit);
+}
+
 std::uint64_t bits_of(const Integer& x) {
   return x == 0 ? 0 : msb(abs(x)) + 1;
 }
 
-}  // namespace
-
 LiftUnits units_of(const TimingQuery& query) {
-  return {std::min(smallest_exponent(query.u_A, query.u_B), dyadic(query.L).exponent),
+  return {std::min(smallest_exponent(query.u_A, query.u_B), unit_of(query.L)),
           smallest_exponent(query.v_A, query.v_B)};
 }
 

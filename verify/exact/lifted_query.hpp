@@ -37,10 +37,18 @@ struct LiftedQuadratic {
 /// Exactly the query's quadratic. REQUIRES units that divide the query's numbers.
 LiftedQuadratic lifted_quadratic(const TimingQuery& query, const LiftUnits& units);
 
+/// The largest n such that 2^n divides x; the largest int for 0.
+int unit_of(double x);
+
+/// x / 2^unit. REQUIRES unit ≤ unit_of(x).
+Integer lifted(double x, int unit);
+
 Sign sign_of(const Integer& x);
 
 /// The verdict of the quadratic. REQUIRES a ≠ 0.
 Verdict verdict_of(Kind kind, const LiftedQuadratic& quadratic);
+
+std::uint64_t bits_of(const Integer& x);
 
 /// Bits of the largest of a, h, c, D.
 std::uint64_t largest_bits(const LiftedQuadratic& quadratic);

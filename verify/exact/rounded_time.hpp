@@ -9,11 +9,8 @@
 
 namespace tps::exact {
 
-/// The certified answer to a timing query.
-struct TimingAnswer {
-  Verdict verdict;
-  std::optional<double> t;  ///< absent where there is no event; infinity where the time exceeds every double
-};
+/// The certified answer to a timing query: t is infinity where the time exceeds every double.
+using TimingAnswer = CollisionTime<double>;
 
 /// Exact verdict, and the double nearest to the exact time (ties to even, overflow to infinity, subnormals
 /// and underflow to zero as IEEE 754 rounds).

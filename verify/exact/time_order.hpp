@@ -25,4 +25,11 @@ constexpr std::string_view name(Order order) {
 ///   (4) before implies that the correctly rounded times do not decrease.
 Order time_order(const TimingQuery& first, const TimingQuery& second, Counters& counters);
 
+/// The exact order of two moments of a run, whose queries are asked at instants of their own.
+///
+/// REQUIRES valid queries, finite hi and lo, multiples 1 or 2. Laws (1) to (3), and
+///   (5) for equal starts and multiples of 1 it is time_order;
+///   (6) multiplying lengths by 2^k, velocities by 2^m, hi and lo by 2^(k−m) changes nothing.
+Order moment_order(const Moment& first, const Moment& second, Counters& counters);
+
 }  // namespace tps::exact

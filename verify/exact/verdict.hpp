@@ -3,41 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
+#include "reference/equations/timing_verdict.hpp"
 #include "verify/exact/timing_query.hpp"
 
 namespace tps::exact {
 
-/// Verdicts of semantics §1. Named as in files; the same names as the reference's, but no code of it.
-enum class Verdict {
-  static_pair,
-  receding,
-  overlap,
-  contact,
-  miss,
-  tangent,
-  hit,
-  taut,
-  overstretched,
-  turning,
-};
-
-constexpr std::string_view name(Verdict verdict) {
-  constexpr std::string_view names[] = {"static",  "receding", "overlap", "contact",       "miss",
-                                        "tangent", "hit",      "taut",    "overstretched", "turning"};
-  return names[static_cast<int>(verdict)];
-}
-
-/// Whether the verdict has a time, and whether that time is 0.
-constexpr bool occurs(Verdict verdict) {
-  return verdict != Verdict::static_pair && verdict != Verdict::receding && verdict != Verdict::miss &&
-         verdict != Verdict::tangent;
-}
-constexpr bool at_once(Verdict verdict) {
-  return verdict == Verdict::overlap || verdict == Verdict::contact || verdict == Verdict::taut ||
-         verdict == Verdict::overstretched;
-}
+/// The verdicts of semantics §1 are the reference's words; what decides between them shares no code with it.
+using Verdict = TimingVerdict;
+using tps::at_once;
+using tps::occurs;
 
 /// A sign, or the statement that a stage cannot tell.
 enum class Sign { negative, zero, positive, uncertain };

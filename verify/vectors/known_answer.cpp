@@ -29,7 +29,7 @@ Json vector_of(const Vec3& x, int dimension) {
 
 Json timing_answer(const TimingQuery& query) {
   const TimingProof proof = prove(query);
-  Json answer{{"verdict", exact::name(proof.verdict)}};
+  Json answer{{"verdict", name(proof.verdict)}};
   Json signs{{"A", proof.A}, {"B", proof.B}, {"C", proof.C}, {"D", proof.sign_D}};
   if (proof.bracket) {
     const TimeBracket& b = *proof.bracket;
@@ -64,7 +64,7 @@ Json order_answer(const Json& in) {
     queries[n] = read_timing_input(kind_named(in.at(key).at("kind")), in.at(key));
     const TimingProof one = prove(queries[n]);
     proof[key] = {
-        {"verdict", exact::name(one.verdict)}, {"A", one.A}, {"B", one.B}, {"C", one.C}, {"D", one.sign_D}};
+        {"verdict", name(one.verdict)}, {"A", one.A}, {"B", one.B}, {"C", one.C}, {"D", one.sign_D}};
   }
   return {{"order", exact::name(exact::time_order(queries[0], queries[1], counters))}, {"proof", proof}};
 }

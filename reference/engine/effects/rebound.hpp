@@ -6,7 +6,6 @@
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/response.hpp"
-#include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq4_collision_impulse.hpp"
 
 namespace tps::effects {
@@ -17,11 +16,10 @@ class Rebound final : public Effect<Scalar, D> {
   std::string_view name() const override { return "rebound"; }
   bool predicts_pairs() const override { return true; }
 
-  std::optional<Scalar> predict(const World<Scalar, D>& world,
-                                const PairView<Scalar, D>& pair) const override {
-    const auto& blocking = world.law(pair.i, pair.j).blocking;
-    if (!blocking || world.responded.contains(pair.i, pair.j, Limit::inner)) return std::nullopt;
-    return block_time<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, blocking->distance).t;
+  std::optional<LimitQuestion<Scalar>> asks(const World<Scalar, D>& world, int i, int j) const override {
+    const auto& blocking = world.law(i, j).blocking;
+    if (!blocking || world.responded.contains(i, j, Limit::inner)) return std::nullopt;
+    return LimitQuestion<Scalar>{TimingKind::block, blocking->distance, false};
   }
 
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {

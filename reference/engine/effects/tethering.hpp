@@ -8,7 +8,6 @@
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/response.hpp"
-#include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/tether_response.hpp"
 
 namespace tps::effects {
@@ -19,18 +18,10 @@ class Tethering final : public Effect<Scalar, D> {
   std::string_view name() const override { return "tethering"; }
   bool predicts_pairs() const override { return true; }
 
-  std::optional<Scalar> predict(const World<Scalar, D>& world,
-                                const PairView<Scalar, D>& pair) const override {
-    if (!world.tethered(pair.i, pair.j)) return std::nullopt;
-    const auto& tethering = *world.law(pair.i, pair.j).tethering;
-    const CollisionTime<Scalar> next =
-        tether_time<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, tethering.distance);
-    if (!world.responded.contains(pair.i, pair.j, Limit::outer)) return next.t;
-    // A pair that has just been pulled can only come back by way of the inside. Where rounding left it so far
-    // outside that its path misses the inside, it is taken to be where real arithmetic has it, at the limit
-    // (c = 0: t = −2h/a, twice the time to the turning point); else it would never be pulled again.
-    if (next.verdict == TimingVerdict::turning) return Scalar(2) * *next.t;
-    return next.verdict == TimingVerdict::hit ? next.t : std::nullopt;
+  std::optional<LimitQuestion<Scalar>> asks(const World<Scalar, D>& world, int i, int j) const override {
+    if (!world.tethered(i, j)) return std::nullopt;
+    return LimitQuestion<Scalar>{TimingKind::tether, world.law(i, j).tethering->distance,
+                                 world.responded.contains(i, j, Limit::outer)};
   }
 
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "tests/exact/strata.hpp"
+#include "verify/vectors/timing_strata.hpp"
 #include "verify/exact/benchmark/literal.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/rounded_time.hpp"

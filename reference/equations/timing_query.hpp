@@ -1,0 +1,48 @@
+// A timing query in doubles: two stored states, a limit, and which kind of limit it is; and the moment of a
+// run that its answer stands for.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace tps {
+
+/// Blocking (smaller root, approaching) or tethering (larger root, separating).
+enum class TimingKind { block, tether };
+
+/// When do A and B next reach the distance L? Positions u and velocities v at one instant, in any one
+/// consistent set of units. Planar states have z = 0; that is exact.
+struct TimingQuery {
+  TimingKind kind;
+  std::array<double, 3> u_A, u_B;  ///< positions
+  std::array<double, 3> v_A, v_B;  ///< velocities
+  double L;                        ///< limiting distance: Δu_blocking or Δu_tethering
+};
+
+/// Whether the query has an answer: every number finite and L > 0.
+inline bool valid(const TimingQuery& query) {
+  for (const auto* x : {&query.u_A, &query.u_B, &query.v_A, &query.v_B}) {
+    for (const double component : *x) {
+      if (!std::isfinite(component)) return false;
+    }
+  }
+  return std::isfinite(query.L) && query.L > 0;
+}
+
+/// Whether the pair does not move relative to itself: v = 0. A difference of doubles is zero only if they
+/// are equal, so comparing them is exact.
+constexpr bool is_static(const TimingQuery& query) {
+  return query.v_A[0] == query.v_B[0] && query.v_A[1] == query.v_B[1] && query.v_A[2] == query.v_B[2];
+}
+
+/// A moment of a run as exactly as it is known: hi + lo + multiple · t with the exact t of the query; hi + lo
+/// alone where there is none.
+struct Moment {
+  double hi = 0;  ///< hi + lo is when the query is asked
+  double lo = 0;
+  std::optional<TimingQuery> query;
+  int multiple = 1;  ///< 2 where a pair that has responded is taken to be at its limit (semantics §1)
+};
+
+}  // namespace tps
