@@ -59,15 +59,8 @@ std::string next_event_text(const NextEvent& event) {
 std::string timing(exact::Kind kind, const eval::Operation& operation, const JsonValue& in,
                    const Place& place) {
   exact::Counters uncounted;
-  const eval::Input input = eval::read_value(operation, in, place.source, place.pointer);
-  return timing_text(exact::rounded_time(timing_query(kind, input), uncounted));
-}
-
-std::string order(const JsonValue& in, const Place& place) {
-  exact::Counters uncounted;
-  const OrderInput input = read_order(in, place);
-  return fmt::format(R"({{"order":"{}"}})",
-                     exact::name(exact::time_order(input.first, input.second, uncounted)));
+  const certified::TimingInput input{kind, eval::read_value(operation, in, place.source, place.pointer)};
+  return timing_text(exact::rounded_time(input.query(), uncounted));
 }
 
 std::string group(const JsonValue& in, const Place& place) {
@@ -98,10 +91,16 @@ const std::vector<std::string>& operation_names() {
   return names;
 }
 
+std::string answer_order(const OrderInput& input) {
+  exact::Counters uncounted;
+  const exact::Order order = exact::time_order(input.first.query(), input.second.query(), uncounted);
+  return fmt::format(R"({{"order":"{}"}})", exact::name(order));
+}
+
 std::string answer(std::string_view name, const JsonValue& in, const std::string& source,
                    const std::string& pointer) {
   const Place place{source, pointer};
-  if (name == "order") return order(in, place);
+  if (name == "order") return answer_order(read_order(in, place));
   if (name == "group") return group(in, place);
   if (name == "next_event") return next_event(in, place);
   const eval::Operation& operation = *eval::find_operation(name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/scene/json_document.hpp"
+#include "verify/protocol/read_input.hpp"
 
 namespace tps::protocol {
 
@@ -19,5 +20,8 @@ const std::vector<std::string>& operation_names();
 /// REQUIRES one of operation_names(). Throws InputError with what is wrong with `in`.
 std::string answer(std::string_view operation, const JsonValue& in, const std::string& source,
                    const std::string& pointer);
+
+/// {"order":"before"} and so on.
+std::string answer_order(const OrderInput& input);
 
 }  // namespace tps::protocol

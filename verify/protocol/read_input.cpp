@@ -37,11 +37,34 @@ bool is_second_word(const JsonValue& value, const Place& place, std::string_view
   return *word == two;
 }
 
-exact::TimingQuery read_query(const JsonValue& value, const Place& place) {
+certified::TimingInput read_query(const JsonValue& value, const Place& place) {
   const bool tether = is_second_word(member(value, "kind", place), inside(place, "kind"), "block", "tether");
-  return timing_query(
-      tether ? exact::Kind::tether : exact::Kind::block,
-      eval::read_object("a timing query", timing_keys(), value, place.source, place.pointer, "kind"));
+  return {tether ? exact::Kind::tether : exact::Kind::block,
+          eval::read_object("a timing query", timing_keys(), value, place.source, place.pointer, "kind")};
+}
+
+/// One query of an order from the words that begin with its prefix.
+certified::TimingInput query_from_words(const std::vector<std::string>& words, const std::string& prefix) {
+  const std::string kind_key = prefix + "kind=";
+  certified::TimingInput query{exact::Kind::block, {}};
+  bool has_kind = false;
+  std::vector<std::string> numbers;
+  for (const std::string& word : words) {
+    if (!word.starts_with(prefix)) continue;
+    if (!word.starts_with(kind_key)) {
+      numbers.push_back(word.substr(prefix.size()));
+      continue;
+    }
+    const std::string kind = word.substr(kind_key.size());
+    has_kind = kind == "block" || kind == "tether";
+    if (kind == "tether") query.kind = exact::Kind::tether;
+  }
+  if (!has_kind) {
+    throw InputError({{"command line", 0, "",
+                       fmt::format("{0}kind is missing; write {0}kind=block or {0}kind=tether", prefix)}});
+  }
+  query.numbers = eval::read_words(query.operation(), numbers);
+  return query;
 }
 
 const JsonValue::Array& list(const JsonValue& in, const char* key, std::size_t most, const Place& place) {
@@ -90,14 +113,6 @@ certified::GroupInput::Collision read_collision(const JsonValue& value, std::siz
 
 }  // namespace
 
-exact::TimingQuery timing_query(exact::Kind kind, const eval::Input& input) {
-  const auto vector = [&](const char* key) {
-    const std::vector<double>& x = input.values.at(key);
-    return exact::Vec3{x[0], x[1], x.size() > 2 ? x[2] : 0.0};
-  };
-  return {kind, vector("u_A"), vector("u_B"), vector("v_A"), vector("v_B"), input.values.at("L")[0]};
-}
-
 const JsonValue& member(const JsonValue& object, const char* key, const Place& place) {
   if (object.object() == nullptr) refuse(object, place, "must be an object");
   const JsonValue* value = object.find(key);
@@ -119,6 +134,15 @@ OrderInput read_order(const JsonValue& in, const Place& place) {
                    read_query(member(in, "second", place), inside(place, "second"))};
   require_keys(in, {"first", "second"}, place);
   return order;
+}
+
+OrderInput read_order_words(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word.starts_with("first.") || word.starts_with("second.")) continue;
+    throw InputError(
+        {{"command line", 0, "", fmt::format("'{}' is neither first.key=value nor second.key=value", word)}});
+  }
+  return {query_from_words(words, "first."), query_from_words(words, "second.")};
 }
 
 certified::GroupInput read_group(const JsonValue& in, const Place& place) {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reference/scene/json_document.hpp"
 #include "verify/certified/certified_response.hpp"
+#include "verify/certified/timing_input.hpp"
 #include "verify/eval/input.hpp"
-#include "verify/exact/timing_query.hpp"
 
 namespace tps::protocol {
 
@@ -16,9 +17,6 @@ struct Place {
   std::string pointer;
 };
 
-/// The question that the numbers of block_time or tether_time ask.
-exact::TimingQuery timing_query(exact::Kind kind, const eval::Input& input);
-
 /// The member `key` of an object. Throws InputError where it is missing or the value is no object.
 const JsonValue& member(const JsonValue& object, const char* key, const Place& place);
 
@@ -26,11 +24,14 @@ const JsonValue& member(const JsonValue& object, const char* key, const Place& p
 void require_keys(const JsonValue& object, const std::vector<std::string>& keys, const Place& place);
 
 struct OrderInput {
-  exact::TimingQuery first, second;
+  certified::TimingInput first, second;
 };
 
 /// {"first":{"kind":"block","u_A":…},"second":{"kind":"tether",…}}. Throws InputError.
 OrderInput read_order(const JsonValue& in, const Place& place);
+
+/// The same from "first.kind=block", "first.u_A=0,0", … Throws InputError.
+OrderInput read_order_words(const std::vector<std::string>& words);
 
 /// {"bodies":[{"m","u","v"},…],"collisions":[{"i","j","limit":"inner","c"} or
 /// {"i","j","limit":"outer","c_retract", "c_revolve","theta_revolve_deg"},…]}. Throws InputError.
