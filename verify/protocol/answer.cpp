@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reference/run/next_event.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/read_scene.hpp"
@@ -19,13 +21,25 @@ std::string timing_text(const exact::TimingAnswer& answer) {
                      answer.t ? quoted_number(*answer.t) : "null");
 }
 
+/// Whether every component is proven to be the nearest double.
+bool settled(const certified::EnclosedVector& components) {
+  return std::all_of(components.begin(), components.end(),
+                     [](const certified::Enclosure& x) { return x.settled; });
+}
+
+std::string flag(const char* name, bool set) {
+  return set ? fmt::format(R"(,"{}":true)", name) : "";
+}
+
 std::string response_text(const certified::Response& response) {
   std::string text;
   if (!response.kind.empty()) text = fmt::format(R"("kind":"{}")", response.kind);
-  for (const auto& [key, components] : response.values)
+  bool all_settled = true;
+  for (const auto& [key, components] : response.values) {
+    all_settled = all_settled && settled(components);
     text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", key, vector_text(components));
-  if (response.boundary) text += R"(,"boundary":true)";
-  return "{" + text + "}";
+  }
+  return "{" + text + flag("boundary", response.boundary) + flag("unsettled", !all_settled) + "}";
 }
 
 std::string velocities_text(const std::vector<certified::EnclosedVector>& velocities) {
@@ -36,8 +50,11 @@ std::string velocities_text(const std::vector<certified::EnclosedVector>& veloci
 }
 
 std::string group_text(const certified::GroupResponse& response) {
-  return fmt::format(R"({{"loaded":{},"restituted":{}{}}})", velocities_text(response.loaded),
-                     velocities_text(response.restituted), response.boundary ? R"(,"boundary":true)" : "");
+  const bool all_settled = std::all_of(response.loaded.begin(), response.loaded.end(), settled) &&
+                           std::all_of(response.restituted.begin(), response.restituted.end(), settled);
+  return fmt::format(R"({{"loaded":{},"restituted":{}{}{}}})", velocities_text(response.loaded),
+                     velocities_text(response.restituted), flag("boundary", response.boundary),
+                     flag("unsettled", !all_settled));
 }
 
 std::string next_event_text(const NextEvent& event) {

@@ -13,8 +13,8 @@ namespace tps::protocol {
 namespace {
 
 /// Groups of the paper's scenes hold a few bodies; exact fractions grow with each load.
-constexpr std::size_t kMostBodies = 64;
-constexpr std::size_t kMostCollisions = 64;
+constexpr std::size_t kMostBodies = 32;
+constexpr std::size_t kMostCollisions = 32;
 
 [[noreturn]] void refuse(const JsonValue& value, const Place& place, std::string message) {
   throw InputError({{place.source, value.line, place.pointer, std::move(message)}});
