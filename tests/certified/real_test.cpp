@@ -118,7 +118,7 @@ TEST(Real, SpeedRatioOfAWholeTurnIsTheCoefficient) {
 
 TEST(Real, LargeFractionsBecomeIntervals) {
   Real x = Real(Rational(1, 3));
-  for (int n = 0; n < 13; ++n) x = x * x + Real(1);
+  for (int n = 0; n < 15; ++n) x = x * x + Real(1);
   EXPECT_EQ(x.rational(), nullptr);
   const Interval inside = x.interval();
   EXPECT_LE(inside.lo, inside.hi);

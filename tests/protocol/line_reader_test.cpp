@@ -1,14 +1,14 @@
 // Lines from a pipe: when they come, in what pieces, and what is too long.
 #include "verify/protocol/line_reader.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <array>
-#include <csignal>
+#include <stdexcept>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "reference/scene/input_error.hpp"
 
@@ -104,9 +104,11 @@ TEST(LineReader, StopsWhenTold) {
 }
 
 TEST(LineReader, SaysWhyItCannotRead) {
+  const int directory = ::open("/", O_RDONLY);
   LineReader reader(
-      -1, 10, [] {}, never);
+      directory, 10, [] {}, never);
   EXPECT_THROW(reader.next(), InputError);
+  ::close(directory);
 }
 
 }  // namespace

@@ -54,21 +54,24 @@ class Reader {
   /// A key that is there but could not be read is not missing as well.
   void unreadable(const std::string& key) { input_.values.emplace(key, std::vector<double>{}); }
 
-  /// What needs all keys: completeness, equal masses of infinity, an axis.
-  Input finish() {
+  /// What needs all keys: completeness, equal masses of infinity, an axis. The place is that of the object.
+  Input finish(std::size_t line = 0, const std::string& place = "") {
     for (const std::string& key : keys_) {
       if (!input_.values.contains(key)) {
-        problems_.add(0, "", fmt::format("{} needs {}; it takes {}", name_, key, fmt::join(keys_, ", ")));
+        problems_.add(line, place,
+                      fmt::format("{} needs {}; it takes {}", name_, key, fmt::join(keys_, ", ")));
       }
     }
     problems_.throw_if_any();
     const auto& v = input_.values;
     if (v.contains("m_A") && std::isinf(v.at("m_A")[0]) && std::isinf(v.at("m_B")[0])) {
-      problems_.add(0, "", "m_A and m_B are both inf; two infinite masses never interact, make one finite");
+      problems_.add(line, place,
+                    "m_A and m_B are both inf; two infinite masses never interact, make one finite");
     }
     if (needs_axis_ && v.at("u_A") == v.at("u_B")) {
       problems_.add(
-          0, "", "u_A and u_B are the same point, so û = (u_B - u_A)/|u_B - u_A| is not defined; move one");
+          line, place,
+          "u_A and u_B are the same point, so û = (u_B - u_A)/|u_B - u_A| is not defined; move one");
     }
     problems_.throw_if_any();
     return input_;
@@ -176,7 +179,7 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
                    std::string_view other_key) {
   if (object.object() == nullptr) {
     reader.problem(object.line, place, "must be an object of numbers and vectors such as {\"u_A\":[0,0],…}");
-    return reader.finish();
+    return reader.finish(object.line, place);
   }
   for (const JsonMember& member : *object.object()) {
     if (member.key == other_key) continue;
@@ -190,7 +193,7 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
       reader.unreadable(member.key);
     }
   }
-  return reader.finish();
+  return reader.finish(object.line, place);
 }
 
 }  // namespace
