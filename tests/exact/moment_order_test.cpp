@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "tests/exact/referee.hpp"
-#include "verify/vectors/timing_strata.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

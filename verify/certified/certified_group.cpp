@@ -111,7 +111,7 @@ class Grouping {
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError({{"", 0, fmt::format("/in/collisions/{}", collision_), message}});
+    throw InputError({{"", 0, fmt::format("/collisions/{}", collision_), message}});
   }
 
   const GroupInput& input_;

@@ -18,6 +18,9 @@ namespace tps::certified {
 struct Enclosure {
   double lo, hi;
   double nearest;  ///< ties to even, infinity beyond the largest double, zero below half the smallest
+  /// Whether `nearest` is proven. If not, the number is within 10^-119 of what went into it from zero, or
+  /// from the middle of two doubles, and is taken to be that.
+  bool settled = true;
 };
 
 using EnclosedVector = std::vector<Enclosure>;

@@ -76,7 +76,7 @@ Enclosure enclosure(const Real& x) {
   const Interval interval = x.interval();
   const Enclosure lo = between_doubles(fraction_of(interval.lo));
   const Enclosure hi = between_doubles(fraction_of(interval.hi));
-  return {lo.lo, hi.hi, nearest(lo, hi)};
+  return {lo.lo, hi.hi, nearest(lo, hi), lo.nearest == hi.nearest};
 }
 
 EnclosedVector enclosure(const RealVector& x) {

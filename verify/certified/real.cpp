@@ -8,7 +8,7 @@
 namespace tps::certified {
 namespace {
 
-constexpr std::size_t kMaxBits = std::size_t{1} << 15;
+constexpr std::size_t kMaxBits = std::size_t{1} << 14;
 
 bool too_large(const Rational& x) {
   const Integer n = abs(numerator(x));

@@ -29,7 +29,7 @@ struct Interval {
 
 /// A rational number, exactly, or an interval around a real one.
 ///
-/// A rational of more than 2^15 bits becomes an interval, so that no input costs more than a moment.
+/// A rational of more than 2^14 bits becomes an interval, so that no input costs more than a moment.
 /// Law: the true value of an expression lies in the result.
 class Real {
  public:

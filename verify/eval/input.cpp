@@ -21,7 +21,12 @@ namespace {
 /// Collects what was read, and everything that is wrong with it.
 class Reader {
  public:
-  Reader(const Operation& operation, const std::string& source) : operation_(operation), problems_(source) {}
+  Reader(std::string_view name, const std::vector<std::string>& keys, const std::string& source)
+      : name_(name), keys_(keys), problems_(source) {}
+  Reader(const Operation& operation, const std::string& source)
+      : Reader(operation.name, operation.keys, source) {
+    needs_axis_ = operation.needs_axis;
+  }
 
   /// Takes the numbers of one key.
   void take(const std::string& key, const std::vector<double>& numbers, std::size_t line,
@@ -36,10 +41,10 @@ class Reader {
 
   /// Whether the operation has that key; says so if not.
   bool known(const std::string& key, std::size_t line, const std::string& pointer) {
-    if (std::find(operation_.keys.begin(), operation_.keys.end(), key) != operation_.keys.end()) return true;
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end()) return true;
     problems_.add(line, pointer,
-                  fmt::format("{} has no key {}; did you mean {}? It takes {}", operation_.name, key,
-                              nearest_name(key, operation_.keys), fmt::join(operation_.keys, ", ")));
+                  fmt::format("{} has no key {}; did you mean {}? It takes {}", name_, key,
+                              nearest_name(key, keys_), fmt::join(keys_, ", ")));
     return false;
   }
 
@@ -49,23 +54,24 @@ class Reader {
   /// A key that is there but could not be read is not missing as well.
   void unreadable(const std::string& key) { input_.values.emplace(key, std::vector<double>{}); }
 
-  /// What needs all keys: completeness, equal masses of infinity, an axis.
-  Input finish() {
-    for (const std::string& key : operation_.keys) {
+  /// What needs all keys: completeness, equal masses of infinity, an axis. The place is that of the object.
+  Input finish(std::size_t line = 0, const std::string& place = "") {
+    for (const std::string& key : keys_) {
       if (!input_.values.contains(key)) {
-        problems_.add(
-            0, "",
-            fmt::format("{} needs {}; it takes {}", operation_.name, key, fmt::join(operation_.keys, ", ")));
+        problems_.add(line, place,
+                      fmt::format("{} needs {}; it takes {}", name_, key, fmt::join(keys_, ", ")));
       }
     }
     problems_.throw_if_any();
     const auto& v = input_.values;
     if (v.contains("m_A") && std::isinf(v.at("m_A")[0]) && std::isinf(v.at("m_B")[0])) {
-      problems_.add(0, "", "m_A and m_B are both inf; two infinite masses never interact, make one finite");
+      problems_.add(line, place,
+                    "m_A and m_B are both inf; two infinite masses never interact, make one finite");
     }
-    if (operation_.needs_axis && v.at("u_A") == v.at("u_B")) {
+    if (needs_axis_ && v.at("u_A") == v.at("u_B")) {
       problems_.add(
-          0, "", "u_A and u_B are the same point, so û = (u_B - u_A)/|u_B - u_A| is not defined; move one");
+          line, place,
+          "u_A and u_B are the same point, so û = (u_B - u_A)/|u_B - u_A| is not defined; move one");
     }
     problems_.throw_if_any();
     return input_;
@@ -124,7 +130,9 @@ class Reader {
     }
   }
 
-  const Operation& operation_;
+  std::string_view name_;
+  const std::vector<std::string>& keys_;
+  bool needs_axis_ = false;
   InputProblems problems_;
   Input input_;
 };
@@ -167,6 +175,27 @@ std::optional<std::vector<double>> json_numbers(const JsonValue& value) {
   return numbers;
 }
 
+Input read_members(Reader reader, const JsonValue& object, const std::string& place,
+                   std::string_view other_key) {
+  if (object.object() == nullptr) {
+    reader.problem(object.line, place, "must be an object of numbers and vectors such as {\"u_A\":[0,0],…}");
+    return reader.finish(object.line, place);
+  }
+  for (const JsonMember& member : *object.object()) {
+    if (member.key == other_key) continue;
+    const std::string pointer = place + "/" + member.key;
+    if (const std::optional<std::vector<double>> numbers = json_numbers(member.value)) {
+      reader.take(member.key, *numbers, member.key_line, pointer);
+    } else if (reader.known(member.key, member.key_line, pointer)) {
+      reader.problem(
+          member.value.line, pointer,
+          "must be a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
+      reader.unreadable(member.key);
+    }
+  }
+  return reader.finish(object.line, place);
+}
+
 }  // namespace
 
 Input read_words(const Operation& operation, const std::vector<std::string>& words) {
@@ -204,34 +233,24 @@ Input read_words(const Operation& operation, const std::vector<std::string>& wor
 Input read_json(const Operation& operation, const std::string& path) {
   const JsonDocument document = parse_json_file(path, "the input of one operation is a small object");
   document.problems.throw_if_any();
-  Reader reader(operation, display_name(path));
-  const JsonValue* object = &document.root;
-  std::string prefix;
-  if (const JsonValue* in = object->find("in")) {
-    const JsonValue* op = object->find("op");
-    if (op != nullptr && (op->string() == nullptr || *op->string() != operation.name)) {
-      reader.problem(op->line, "/op",
-                     fmt::format("the request is for another operation than {}", operation.name));
-    }
-    object = in;
-    prefix = "/in";
+  const JsonValue* in = document.root.find("in");
+  if (in == nullptr) return read_value(operation, document.root, display_name(path), "");
+  const JsonValue* op = document.root.find("op");
+  if (op != nullptr && (op->string() == nullptr || *op->string() != operation.name)) {
+    throw InputError({{display_name(path), op->line, "/op",
+                       fmt::format("the request is for another operation than {}", operation.name)}});
   }
-  if (object->object() == nullptr) {
-    reader.problem(object->line, prefix, "must be an object such as {\"u_A\":[0,0],…}");
-    return reader.finish();
-  }
-  for (const JsonMember& member : *object->object()) {
-    const std::string pointer = prefix + "/" + member.key;
-    if (const std::optional<std::vector<double>> numbers = json_numbers(member.value)) {
-      reader.take(member.key, *numbers, member.key_line, pointer);
-    } else if (reader.known(member.key, member.key_line, pointer)) {
-      reader.problem(
-          member.value.line, pointer,
-          "must be a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
-      reader.unreadable(member.key);
-    }
-  }
-  return reader.finish();
+  return read_value(operation, *in, display_name(path), "/in");
+}
+
+Input read_value(const Operation& operation, const JsonValue& object, const std::string& source,
+                 const std::string& pointer) {
+  return read_members(Reader(operation, source), object, pointer, "");
+}
+
+Input read_object(std::string_view name, const std::vector<std::string>& keys, const JsonValue& object,
+                  const std::string& source, const std::string& pointer, std::string_view other_key) {
+  return read_members(Reader(name, keys, source), object, pointer, other_key);
 }
 
 }  // namespace tps::eval

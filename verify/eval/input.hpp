@@ -3,8 +3,10 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "reference/scene/json_document.hpp"
 #include "verify/eval/operations.hpp"
 
 namespace tps::eval {
@@ -22,5 +24,14 @@ Input read_words(const Operation& operation, const std::vector<std::string>& wor
 /// Reads the object that the protocol calls "in", or a whole request that has it; "-" is standard input.
 /// Throws InputError with everything that is wrong.
 Input read_json(const Operation& operation, const std::string& path);
+
+/// The same of a value inside another document: `source` and `pointer` say where it stands in messages.
+Input read_value(const Operation& operation, const JsonValue& object, const std::string& source,
+                 const std::string& pointer);
+
+/// The same for any object of numbers with the given keys (their domains are those of operations), which
+/// messages call `name`. The key `other_key` is the caller's and may be there, too.
+Input read_object(std::string_view name, const std::vector<std::string>& keys, const JsonValue& object,
+                  const std::string& source, const std::string& pointer, std::string_view other_key);
 
 }  // namespace tps::eval

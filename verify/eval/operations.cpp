@@ -66,9 +66,9 @@ std::vector<std::string> operation_names() {
 
 Domain domain_of(std::string_view key) {
   if (key == "L") return Domain::length;
-  if (key == "m_A" || key == "m_B") return Domain::mass;
+  if (key == "m_A" || key == "m_B" || key == "m") return Domain::mass;
   if (key == "theta_revolve_deg") return Domain::angle;
-  if (key == "dt") return Domain::number;
+  if (key == "dt" || key == "i" || key == "j") return Domain::number;
   if (key == "c" || key == "c_retract" || key == "c_revolve") return Domain::coefficient;
   return Domain::vector;
 }

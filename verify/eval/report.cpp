@@ -45,6 +45,12 @@ nlohmann::ordered_json to_json(const std::vector<Quantity>& quantities) {
 }  // namespace
 
 std::string report_text(const Operation& operation, std::string_view scalar, const Report& report) {
+  return report_text(
+      fmt::format("{}, eq. {}: {}; in {}", operation.name, operation.equation, operation.what, scalar),
+      report);
+}
+
+std::string report_text(std::string_view heading, const Report& report) {
   const auto head = [](const Quantity& q) {
     return q.formula.empty() ? q.symbol : fmt::format("{} = {}", q.symbol, q.formula);
   };
@@ -56,8 +62,7 @@ std::string report_text(const Operation& operation, std::string_view scalar, con
       decimals = std::max(decimals, width(spelled(q, &Number::decimal)));
     }
   }
-  std::string text =
-      fmt::format("{}, eq. {}: {}; in {}\n", operation.name, operation.equation, operation.what, scalar);
+  std::string text = fmt::format("{}\n", heading);
   const auto add = [&](const Quantity& q, std::string_view mark) {
     const std::string decimal = spelled(q, &Number::decimal);
     text += fmt::format("{}{} = ", mark, padded(head(q), heads));
@@ -70,7 +75,11 @@ std::string report_text(const Operation& operation, std::string_view scalar, con
 }
 
 std::string report_json(const Operation& operation, std::string_view scalar, const Report& report) {
-  const nlohmann::ordered_json document{{"op", operation.name},
+  return report_json(operation.name, scalar, report);
+}
+
+std::string report_json(std::string_view operation, std::string_view scalar, const Report& report) {
+  const nlohmann::ordered_json document{{"op", operation},
                                         {"scalar", scalar},
                                         {"steps", to_json(report.steps)},
                                         {"out", to_json(report.results)}};

@@ -32,4 +32,8 @@ struct Report {
 std::string report_text(const Operation& operation, std::string_view scalar, const Report& report);
 std::string report_json(const Operation& operation, std::string_view scalar, const Report& report);
 
+/// The same under any heading, and for any operation's name.
+std::string report_text(std::string_view heading, const Report& report);
+std::string report_json(std::string_view operation, std::string_view scalar, const Report& report);
+
 }  // namespace tps::eval

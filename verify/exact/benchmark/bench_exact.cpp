@@ -10,11 +10,11 @@
 #include <functional>
 #include <vector>
 
-#include "verify/vectors/timing_strata.hpp"
 #include "verify/exact/benchmark/literal.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/vectors/timing_strata.hpp"
 
 namespace tps::exact {
 namespace {

@@ -1,0 +1,37 @@
+#include "reference/run/next_event.hpp"
+
+#include "reference/engine/simulation.hpp"
+
+namespace tps {
+namespace {
+
+template <int D>
+NextEvent next_event_in(const Scene& scene) {
+  Simulation<double, D> simulation(scene);
+  World<double, D>& world = simulation.world();
+  NextEvent event;
+  const auto id = [&](int i) { return scene.particles[static_cast<std::size_t>(i)].id; };
+  world.sink = [&](const Record<double, D>& record) {
+    event.kind = record.kind;
+    event.dt = record.dt;
+    if (record.i >= 0) event.i = id(record.i);
+    if (record.j >= 0 && record.j != record.i) event.j = id(record.j);
+    if (record.tether != TetherChange::none)
+      event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
+  };
+  if (simulation.next_time() != Time<double>::never()) simulation.step();
+  for (int i = 0; i < world.size(); ++i) {
+    const Vector<double, D> u = world.position(i, world.now);
+    const Vector<double, D>& v = world.velocity(i);
+    event.state.push_back({id(i), {u.begin(), u.end()}, {v.begin(), v.end()}});
+  }
+  return event;
+}
+
+}  // namespace
+
+NextEvent next_event(const Scene& scene) {
+  return scene.dimension == 2 ? next_event_in<2>(scene) : next_event_in<3>(scene);
+}
+
+}  // namespace tps

@@ -1,0 +1,29 @@
+// The next event of a scene, and what it leaves: one step of the engine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/scene/scene.hpp"
+
+namespace tps {
+
+struct NextEvent {
+  struct State {
+    std::int32_t id;
+    std::vector<double> position, velocity;
+  };
+  std::string kind = "none";         ///< as in traces; "none" where nothing ever happens
+  std::optional<std::int32_t> i, j;  ///< ids of the particles concerned
+  std::optional<double> dt;          ///< from the scene's start; absent for "none"
+  std::string tether;                ///< "formed" or "broken", empty where neither
+  std::vector<State> state;          ///< of all particles at the instant of the event, after it
+};
+
+/// Simulates one event, in double. The scene's duration does not matter: it limits runs.
+NextEvent next_event(const Scene& scene);
+
+}  // namespace tps

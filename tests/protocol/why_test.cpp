@@ -1,0 +1,99 @@
+// tps eval with operations of the protocol, and --why.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Evaluated {
+  int exit_code;
+  std::string text;  ///< standard output and errors
+};
+
+Evaluated tps_eval(const std::string& arguments, const std::string& input = "") {
+  const std::string command = "printf '%s' '" + input + "' | " TPS_PROGRAM " eval " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {-1, "no pipe"};
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
+  const int status = pclose(pipe);
+  return {WEXITSTATUS(status), text};
+}
+
+nlohmann::json result(const std::string& arguments) {
+  const Evaluated evaluated = tps_eval(arguments + " --format json");
+  if (evaluated.exit_code != 0) return evaluated.text;
+  return nlohmann::json::parse(evaluated.text);
+}
+
+std::string query(const std::string& u_B, const std::string& prefix = "") {
+  return prefix + "u_A=0,0 " + prefix + "u_B=" + u_B + " " + prefix + "v_A=0,0 " + prefix + "v_B=1,0 " +
+         prefix;
+}
+
+TEST(Why, NamesTheStageThatSettledTheVerdict) {
+  EXPECT_EQ(result("block_time --why " + query("-5,0") + "L=1")["out"]["verdict_by"], "doubles");
+  const nlohmann::json grazing = result("block_time --why " + query("-10000,0x1.00000004p+0") + "L=1");
+  EXPECT_EQ(grazing["out"]["verdict"], "miss");
+  EXPECT_EQ(grazing["out"]["verdict_by"], "double words");
+  EXPECT_EQ(grazing["out"]["verdict_counts"], "calls 1, uncertain 1, exact 0");
+  EXPECT_TRUE(grazing["steps"].contains("double_words_D_bound"));
+  EXPECT_FALSE(grazing["steps"].contains("integers"));
+  const nlohmann::json tangent = result("block_time --why " + query("-5,1") + "L=1");
+  EXPECT_EQ(tangent["out"]["verdict_by"], "integers");
+  EXPECT_EQ(tangent["steps"]["integers"], "h negative, c positive, D zero");
+  EXPECT_NE(tangent["out"]["largest_bits"], "0");
+  EXPECT_EQ(result("block_time --why u_A=0,0 u_B=5,0 v_A=1,1 v_B=1,1 L=1")["out"]["verdict_by"],
+            "equal velocities");
+  EXPECT_EQ(result("block_time --why " + query("-1e300,0") + "L=1")["steps"]["doubles"], "out of range");
+}
+
+// Found by search: the double answer of this query is one ulp below the correctly rounded one.
+TEST(Why, CountsTheUlpsOfTheDoubleAnswer) {
+  const nlohmann::json off = result("tether_time --why u_A=0,0 u_B=0.3,0.1 v_A=0.7,0.1 v_B=0.2,-0.3 L=1");
+  EXPECT_EQ(off["out"]["ulps"], "-1");
+  EXPECT_EQ(off["out"]["t"], "0x1.020577c909b61p+1");
+  EXPECT_EQ(off["out"]["t_in_double"], "0x1.020577c909b6p+1");
+  EXPECT_EQ(result("block_time --why " + query("-5,0") + "L=1")["out"]["ulps"],
+            "0, the correctly rounded one");
+}
+
+TEST(Why, OrdersTellTheirStage) {
+  const std::string tie = "first.kind=block " + query("-10,3", "first.") + "L=5 second.kind=block ";
+  const nlohmann::json equal = result("order --why " + tie + query("-11,0", "second.") + "L=5");
+  EXPECT_EQ(equal["out"]["order"], "equal");
+  EXPECT_EQ(equal["out"]["order_by"], "integers");
+  const nlohmann::json near =
+      result("order --why " + tie + query("-11.0000000000000018,0", "second.") + "L=5");
+  EXPECT_EQ(near["out"]["order"], "before");
+  EXPECT_EQ(near["out"]["order_by"], "double words");
+  EXPECT_EQ(result("order " + tie + query("-12,0", "second.") + "L=5")["out"]["order"], "before");
+}
+
+TEST(EvalCompound, TakesAFileOrARequest) {
+  const std::string in =
+      R"({"bodies":[{"m":1,"u":[0,0],"v":[1,0]},{"m":1,"u":[1,0],"v":[0,0]}],"collisions":[{"i":0,"j":1,"limit":"inner","c":1}]})";
+  EXPECT_NE(tps_eval("group --in -", in).text.find("> restituted[1] = (1, 0)"), std::string::npos);
+  const std::string request = R"({"seq":1,"op":"group","in":)" + in + "}";
+  EXPECT_NE(tps_eval("group --in - --format json", request).text.find(R"("out":{"loaded":)"),
+            std::string::npos);
+  EXPECT_EQ(tps_eval("order --in -", request).exit_code, 3);
+}
+
+TEST(EvalCompound, SaysWhatIsWrong) {
+  EXPECT_EQ(tps_eval("group").exit_code, 2);
+  EXPECT_EQ(tps_eval("order --scalar quad").exit_code, 2);
+  EXPECT_EQ(tps_eval("load --why m_A=1 m_B=1 v_A=0,0 v_B=0,0").exit_code, 2);
+  EXPECT_EQ(tps_eval("block_time --scalar quad --why " + query("-5,0") + "L=1").exit_code, 2);
+  EXPECT_EQ(tps_eval("group --why --in -", "{}").exit_code, 2);
+  const Evaluated words = tps_eval("order first.kind=block u_A=0,0");
+  EXPECT_EQ(words.exit_code, 3);
+  EXPECT_NE(words.text.find("'u_A=0,0' is neither"), std::string::npos);
+  EXPECT_NE(tps_eval("order first.u_A=0,0").text.find("first.kind is missing"), std::string::npos);
+  EXPECT_NE(tps_eval("group --in -", "{\"bodies\":[]}").text.find("needs the key collisions"),
+            std::string::npos);
+}
+
+}  // namespace

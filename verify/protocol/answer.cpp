@@ -1,0 +1,130 @@
+#include "verify/protocol/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/run/next_event.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "verify/certified/certified_response.hpp"
+#include "verify/exact/rounded_time.hpp"
+#include "verify/exact/time_order.hpp"
+#include "verify/protocol/json_text.hpp"
+#include "verify/protocol/read_input.hpp"
+
+namespace tps::protocol {
+namespace {
+
+std::string timing_text(const exact::TimingAnswer& answer) {
+  return fmt::format(R"({{"verdict":"{}","t":{}}})", exact::name(answer.verdict),
+                     answer.t ? quoted_number(*answer.t) : "null");
+}
+
+/// Whether every component is proven to be the nearest double.
+bool settled(const certified::EnclosedVector& components) {
+  return std::all_of(components.begin(), components.end(),
+                     [](const certified::Enclosure& x) { return x.settled; });
+}
+
+std::string flag(const char* name, bool set) {
+  return set ? fmt::format(R"(,"{}":true)", name) : "";
+}
+
+std::string response_text(const certified::Response& response) {
+  std::string text;
+  if (!response.kind.empty()) text = fmt::format(R"("kind":"{}")", response.kind);
+  bool all_settled = true;
+  for (const auto& [key, components] : response.values) {
+    all_settled = all_settled && settled(components);
+    text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", key, vector_text(components));
+  }
+  return "{" + text + flag("boundary", response.boundary) + flag("unsettled", !all_settled) + "}";
+}
+
+std::string velocities_text(const std::vector<certified::EnclosedVector>& velocities) {
+  std::string text;
+  for (const certified::EnclosedVector& v : velocities)
+    text.append(text.empty() ? "[" : ",").append(vector_text(v));
+  return text.empty() ? "[]" : text + "]";
+}
+
+std::string group_text(const certified::GroupResponse& response) {
+  const bool all_settled = std::all_of(response.loaded.begin(), response.loaded.end(), settled) &&
+                           std::all_of(response.restituted.begin(), response.restituted.end(), settled);
+  return fmt::format(R"({{"loaded":{},"restituted":{}{}{}}})", velocities_text(response.loaded),
+                     velocities_text(response.restituted), flag("boundary", response.boundary),
+                     flag("unsettled", !all_settled));
+}
+
+std::string next_event_text(const NextEvent& event) {
+  std::string text = fmt::format(R"({{"kind":"{}")", event.kind);
+  if (event.i) text += fmt::format(R"(,"i":{})", *event.i);
+  if (event.j) text += fmt::format(R"(,"j":{})", *event.j);
+  if (event.dt) text += fmt::format(R"(,"dt":{})", quoted_number(*event.dt));
+  if (!event.tether.empty()) text += fmt::format(R"(,"tether":"{}")", event.tether);
+  text += R"(,"state":[)";
+  const char* separator = "";
+  for (const NextEvent::State& s : event.state) {
+    text += fmt::format(R"({}{{"id":{},"position":{},"velocity":{}}})", separator, s.id,
+                        vector_text(s.position), vector_text(s.velocity));
+    separator = ",";
+  }
+  return text + "]}";
+}
+
+std::string timing(exact::Kind kind, const eval::Operation& operation, const JsonValue& in,
+                   const Place& place) {
+  exact::Counters uncounted;
+  const certified::TimingInput input{kind, eval::read_value(operation, in, place.source, place.pointer)};
+  return timing_text(exact::rounded_time(input.query(), uncounted));
+}
+
+std::string group(const JsonValue& in, const Place& place) {
+  const certified::GroupInput input = read_group(in, place);
+  try {
+    return group_text(certified::certified_group(input));
+  } catch (const InputError& error) {  // knows the collision, not where the input stands
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& problem : problems)
+      problem = {place.source, in.line, place.pointer + problem.pointer, problem.message};
+    throw InputError(std::move(problems));
+  }
+}
+
+std::string next_event(const JsonValue& in, const Place& place) {
+  const JsonValue& scene = member(in, "scene", place);
+  require_keys(in, {"scene"}, place);
+  return next_event_text(tps::next_event(read_scene_value(scene, place.source, place.pointer + "/scene")));
+}
+
+}  // namespace
+
+const std::vector<std::string>& operation_names() {
+  static const std::vector<std::string> names{
+      "block_time",         "tether_time",     "order", "apply_impulse",       "collision_impulse",
+      "revolution_impulse", "tether_response", "load",  "restitution_impulse", "group",
+      "next_event"};
+  return names;
+}
+
+std::string answer_order(const OrderInput& input) {
+  exact::Counters uncounted;
+  const exact::Order order = exact::time_order(input.first.query(), input.second.query(), uncounted);
+  return fmt::format(R"({{"order":"{}"}})", exact::name(order));
+}
+
+std::string answer(std::string_view name, const JsonValue& in, const std::string& source,
+                   const std::string& pointer) {
+  const Place place{source, pointer};
+  if (name == "order") return answer_order(read_order(in, place));
+  if (name == "group") return group(in, place);
+  if (name == "next_event") return next_event(in, place);
+  const eval::Operation& operation = *eval::find_operation(name);
+  if (operation.op == eval::Op::block_time) return timing(exact::Kind::block, operation, in, place);
+  if (operation.op == eval::Op::tether_time) return timing(exact::Kind::tether, operation, in, place);
+  return response_text(
+      certified::certified_response(operation.op, eval::read_value(operation, in, source, pointer)));
+}
+
+}  // namespace tps::protocol

@@ -1,0 +1,27 @@
+// The operations of the protocol, answered from JSON to JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/scene/json_document.hpp"
+#include "verify/protocol/read_input.hpp"
+
+namespace tps::protocol {
+
+/// The operations that answer() knows, in the order of the paper.
+const std::vector<std::string>& operation_names();
+
+/// The result of an operation as the text of a JSON object, numbers as hexadecimal floats.
+///
+/// Every number is the correct rounding of the real one that the stored doubles define; only `next_event` is
+/// simulated in double. `source` and `pointer` say in messages where `in` stands.
+/// REQUIRES one of operation_names(). Throws InputError with what is wrong with `in`.
+std::string answer(std::string_view operation, const JsonValue& in, const std::string& source,
+                   const std::string& pointer);
+
+/// {"order":"before"} and so on.
+std::string answer_order(const OrderInput& input);
+
+}  // namespace tps::protocol

@@ -1,0 +1,40 @@
+// The input of operations that is more than a list of numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/scene/json_document.hpp"
+#include "verify/certified/certified_response.hpp"
+#include "verify/certified/timing_input.hpp"
+#include "verify/eval/input.hpp"
+
+namespace tps::protocol {
+
+/// Where a value stands, for messages.
+struct Place {
+  const std::string& source;
+  std::string pointer;
+};
+
+/// The member `key` of an object. Throws InputError where it is missing or the value is no object.
+const JsonValue& member(const JsonValue& object, const char* key, const Place& place);
+
+/// Refuses keys other than those given. REQUIRES an object.
+void require_keys(const JsonValue& object, const std::vector<std::string>& keys, const Place& place);
+
+struct OrderInput {
+  certified::TimingInput first, second;
+};
+
+/// {"first":{"kind":"block","u_A":…},"second":{"kind":"tether",…}}. Throws InputError.
+OrderInput read_order(const JsonValue& in, const Place& place);
+
+/// The same from "first.kind=block", "first.u_A=0,0", … Throws InputError.
+OrderInput read_order_words(const std::vector<std::string>& words);
+
+/// {"bodies":[{"m","u","v"},…],"collisions":[{"i","j","limit":"inner","c"} or
+/// {"i","j","limit":"outer","c_retract", "c_revolve","theta_revolve_deg"},…]}. Throws InputError.
+certified::GroupInput read_group(const JsonValue& in, const Place& place);
+
+}  // namespace tps::protocol
