@@ -137,7 +137,7 @@ Report why_time(const TimingInput& input) {
   Report report;
   const std::string_view decider = add_stages(report, "", query);
   auto& results = report.results;
-  results.push_back(word("verdict", "verdict", exact::name(answer.verdict)));
+  results.push_back(word("verdict", "verdict", name(answer.verdict)));
   results.push_back(word("verdict_by", "verdict settled by", decider));
   results.push_back(time("t", "Δt, correctly rounded", answer.t));
   results.push_back(word("t_by", "Δt settled by", time_decider(answer, counters)));

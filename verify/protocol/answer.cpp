@@ -17,7 +17,7 @@ namespace tps::protocol {
 namespace {
 
 std::string timing_text(const exact::TimingAnswer& answer) {
-  return fmt::format(R"({{"verdict":"{}","t":{}}})", exact::name(answer.verdict),
+  return fmt::format(R"({{"verdict":"{}","t":{}}})", name(answer.verdict),
                      answer.t ? quoted_number(*answer.t) : "null");
 }
 
