@@ -124,15 +124,14 @@ Reply reply_to_document(const JsonDocument& document) {
 }  // namespace
 
 Reply reply_to(std::string_view line) {
-  std::string seq = "null";
   try {
     return reply_to_document(parse_json(line, kSource));
   } catch (const InputError& error) {
-    return failed(seq, {"bad_json", message_of(error)});
+    return failed("null", {"bad_json", message_of(error)});
   } catch (const std::bad_alloc&) {
-    return failed(seq, {"too_large", "not enough memory for this request; give it in smaller parts"});
+    return failed("null", {"too_large", "not enough memory for this request; give it in smaller parts"});
   } catch (const std::exception& error) {
-    return failed(seq, {"internal", fmt::format("an error of ours, please report it: {}", error.what())});
+    return failed("null", {"internal", fmt::format("an error of ours, please report it: {}", error.what())});
   }
 }
 
