@@ -13,7 +13,7 @@ for line in (root / "docs" / "decisions.md").read_text().splitlines():
     row = re.match(r"\| ([DN]\d+) \|", line)
     if not row:
         continue
-    pins = re.findall(r"`([a-z]+\.[^`]*)`", line.rsplit("|", 2)[1])
+    pins = re.findall(r"`([a-z_]+\.[^`]*)`", line.rsplit("|", 2)[1])
     if not pins:
         failures.append(f"{row.group(1)} names no test that pins it")
     for pin in pins:

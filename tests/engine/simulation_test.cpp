@@ -32,7 +32,7 @@ TEST(Clock, AddsWithoutLosingSmallSteps) {
 TEST(Clock, ElapsedIsTheRoundedDifference) {
   Time<double> t{.1, 0};
   for (int n = 1; n < 2000; ++n) {
-    const Time<double> next = after(t, 1. / (n * n * n));
+    const Time<double> next = after(t, 1. / (double(n) * n * n));
     for (const Time<double>& early : {Time<double>{}, Time<double>{.1, 0}, t}) {
       EXPECT_EQ(elapsed(early, next), (exact(next) - exact(early)).convert_to<double>());
     }

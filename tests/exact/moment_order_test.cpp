@@ -1,4 +1,4 @@
-// Exact order of moments of a run, whose queries are asked at different instants, against 500 digits.
+// Exact order of moments of a run, whose queries are asked at different instants, against 1500 digits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::optional<Wide> wide_moment(const Moment& moment) {
 }
 
 std::string expected_order_of(const Moment& first, const Moment& second) {
-  static const Wide unit = pow(Wide(10), -450);
+  static const Wide unit = pow(Wide(10), -1400);
   const std::optional<Wide> t1 = wide_moment(first);
   const std::optional<Wide> t2 = wide_moment(second);
   if (!t1 && !t2) return "none";

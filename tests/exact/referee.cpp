@@ -42,7 +42,7 @@ std::optional<Wide> time(const TimingQuery& query) {
   if (which != "hit" && which != "turning") return Wide(0);
   if (which == "turning") return Wide(Rational(-exact.h / exact.a));
   // D is exact before its root is taken, and the form is chosen so that the sum does not cancel: queries that
-  // span all exponents of double would cancel more than 500 digits.
+  // span all exponents of double would cancel more than 1500 digits.
   const Wide root = sqrt(Wide(exact.D));
   const Wide h(exact.h);
   if ((query.kind == Kind::block) || exact.h > 0) {

@@ -1,4 +1,4 @@
-// What the answers must be, from rationals and 500 digits. Shares no code with verify/exact/.
+// What the answers must be, from rationals and 1500 digits. Shares no code with verify/exact/.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -11,7 +11,7 @@
 namespace tps::exact::referee {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<500>>;
+using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1500>>;
 
 /// a, h, c, D of the stored doubles.
 struct Quadratic {
@@ -23,7 +23,7 @@ Quadratic quadratic(const TimingQuery& query);
 std::string verdict(const TimingQuery& query);
 std::string verdict(const TimingQuery& query, const Quadratic& exact);
 
-/// The time to 500 digits; absent where there is no event.
+/// The time to 1500 digits; absent where there is no event.
 std::optional<Wide> time(const TimingQuery& query);
 
 }  // namespace tps::exact::referee

@@ -1,4 +1,4 @@
-// Correctly rounded times against 500 digits, on every stratum and by both paths.
+// Correctly rounded times against 1500 digits, on every stratum and by both paths.
 #include "verify/exact/rounded_time.hpp"
 
 #include <gtest/gtest.h>

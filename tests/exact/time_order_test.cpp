@@ -1,4 +1,4 @@
-// Exact order against 500 digits: pairs of every stratum, exact ties and their nearest neighbours.
+// Exact order against 1500 digits: pairs of every stratum, exact ties and their nearest neighbours.
 #include "verify/exact/time_order.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(TimeOrder, IrrationalTies) {
   EXPECT_EQ(order(one, strata::relative(Kind::block, {-7, 1, 0x1p-500}, {1, 0, 0}, 3)), "before");
 }
 
-// sign(X + Y√A + Z√B) against every small case, computed in 500 digits.
+// sign(X + Y√A + Z√B) against every small case, computed in 1500 digits.
 TEST(TimeOrder, NestedSquarings) {
   int zeros = 0;
   for (int X = -4; X <= 4; ++X) {

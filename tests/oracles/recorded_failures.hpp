@@ -15,21 +15,21 @@ struct Failures {
 
 /// Rows that are not here are 0, 0.
 inline const std::vector<Failures> recorded_failures = {
-    {"50 digits", "wide", 2, 0},
-    {"100 digits", "wide", 2, 0},
-    {"GSL quadratic", "graze", 18, 0},
-    {"GSL quadratic", "far", 14, 0},
-    {"GSL quadratic", "any_scale", 47, 26},
-    {"GSL quadratic", "wide", 8, 51},
-    {"GSL quadratic", "subnormal", 78, 10},
-    {"Brent", "graze", 1, 0},
+    {"50 digits", "wide", 4, 0},
+    {"100 digits", "wide", 3, 0},
+    {"GSL quadratic", "graze", 12, 0},
+    {"GSL quadratic", "far", 8, 0},
+    {"GSL quadratic", "any_scale", 60, 20},
+    {"GSL quadratic", "wide", 6, 62},
+    {"GSL quadratic", "subnormal", 81, 13},
     {"Brent", "touching", 2, 0},
-    {"Brent", "tangent", 24, 0},
-    {"Brent", "offset_origin", 1, 40},
-    {"Brent", "near_static", 9, 63},
-    {"Brent", "any_scale", 80, 31},
-    {"Brent", "wide", 90, 9},
-    {"Brent", "subnormal", 68, 55},
+    {"Brent", "taut", 19, 0},
+    {"Brent", "tangent", 29, 0},
+    {"Brent", "offset_origin", 1, 43},
+    {"Brent", "near_static", 5, 66},
+    {"Brent", "any_scale", 78, 31},
+    {"Brent", "wide", 92, 9},
+    {"Brent", "subnormal", 75, 52},
 };
 
 /// The n of GSL's wrong root counts for F(n) x² − 2F(n−1) x + F(n−2).
