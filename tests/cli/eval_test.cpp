@@ -1,29 +1,18 @@
 // tps eval: what it prints, and what it says about input that it cannot use.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/support/shell.hpp"
+
 namespace {
 
-struct Outcome {
-  int exit_code;
-  std::string text;  ///< standard output and errors
-};
-
-Outcome eval(const std::string& arguments, const std::string& input = "") {
-  const std::string command = "printf '%s' '" + input + "' | " TPS_PROGRAM " eval " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {-1, "no pipe"};
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
-  const int status = pclose(pipe);
-  return {WEXITSTATUS(status), text};
-}
+using tps::Outcome;
+using tps::run_eval;
 
 nlohmann::json out(const std::string& arguments) {
-  const Outcome outcome = eval(arguments + " --format json");
+  const Outcome outcome = run_eval(arguments + " --format json");
   return outcome.exit_code == 0 ? nlohmann::json::parse(outcome.text)["out"] : nlohmann::json(outcome.text);
 }
 
@@ -65,10 +54,10 @@ TEST(Eval, DecimalsAreDoublesInEveryScalar) {
 TEST(Eval, ReadsTheObjectOfTheProtocol) {
   const std::string in = R"({"m_A":"0x1p+0","m_B":3,"v_A":[4,8,0],"v_B":[0,0,"0x0p+0"]})";
   const std::string answer = R"("out":{"v_load":["0x1p+0","0x1p+1","0x0p+0"]})";
-  EXPECT_NE(eval("load --in - --format json", in).text.find(answer), std::string::npos);
+  EXPECT_NE(run_eval("load --in - --format json", in).text.find(answer), std::string::npos);
   const std::string request = R"({"seq":1,"op":"load","in":)" + in + "}";
-  EXPECT_NE(eval("load --in - --format json", request).text.find(answer), std::string::npos);
-  EXPECT_EQ(eval("distance --in -", request).exit_code, 3);
+  EXPECT_NE(run_eval("load --in - --format json", request).text.find(answer), std::string::npos);
+  EXPECT_EQ(run_eval("distance --in -", request).exit_code, 3);
 }
 
 struct Refused {
@@ -107,7 +96,7 @@ TEST(Eval, SaysWhatIsWrong) {
        "û_revolve is 0/0"},
   };
   for (const Refused& refused : cases) {
-    const Outcome outcome = eval(refused.arguments);
+    const Outcome outcome = run_eval(refused.arguments);
     EXPECT_EQ(outcome.exit_code, refused.exit_code) << refused.arguments << "\n" << outcome.text;
     EXPECT_NE(outcome.text.find(refused.says), std::string::npos) << refused.arguments << "\n"
                                                                   << outcome.text;
@@ -115,7 +104,7 @@ TEST(Eval, SaysWhatIsWrong) {
 }
 
 TEST(Eval, NamesThePlaceInAFile) {
-  const Outcome outcome = eval("load --in -", "{\"m_A\":1,\n\"m_B\":true,\n\"v_A\":[1,0],\"v_B\":[0,0]}");
+  const Outcome outcome = run_eval("load --in -", "{\"m_A\":1,\n\"m_B\":true,\n\"v_A\":[1,0],\"v_B\":[0,0]}");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.text.find("standard input:2: /m_B: must be a number"), std::string::npos) << outcome.text;
 }

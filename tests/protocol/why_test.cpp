@@ -1,29 +1,18 @@
 // tps eval with operations of the protocol, and --why.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/support/shell.hpp"
+
 namespace {
 
-struct Evaluated {
-  int exit_code;
-  std::string text;  ///< standard output and errors
-};
-
-Evaluated tps_eval(const std::string& arguments, const std::string& input = "") {
-  const std::string command = "printf '%s' '" + input + "' | " TPS_PROGRAM " eval " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {-1, "no pipe"};
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
-  const int status = pclose(pipe);
-  return {WEXITSTATUS(status), text};
-}
+using tps::Outcome;
+using tps::run_eval;
 
 nlohmann::json result(const std::string& arguments) {
-  const Evaluated evaluated = tps_eval(arguments + " --format json");
+  const Outcome evaluated = run_eval(arguments + " --format json");
   if (evaluated.exit_code != 0) return evaluated.text;
   return nlohmann::json::parse(evaluated.text);
 }
@@ -75,24 +64,24 @@ TEST(Why, OrdersTellTheirStage) {
 TEST(EvalCompound, TakesAFileOrARequest) {
   const std::string in =
       R"({"bodies":[{"m":1,"u":[0,0],"v":[1,0]},{"m":1,"u":[1,0],"v":[0,0]}],"collisions":[{"i":0,"j":1,"limit":"inner","c":1}]})";
-  EXPECT_NE(tps_eval("group --in -", in).text.find("> restituted[1] = (1, 0)"), std::string::npos);
+  EXPECT_NE(run_eval("group --in -", in).text.find("> restituted[1] = (1, 0)"), std::string::npos);
   const std::string request = R"({"seq":1,"op":"group","in":)" + in + "}";
-  EXPECT_NE(tps_eval("group --in - --format json", request).text.find(R"("out":{"loaded":)"),
+  EXPECT_NE(run_eval("group --in - --format json", request).text.find(R"("out":{"loaded":)"),
             std::string::npos);
-  EXPECT_EQ(tps_eval("order --in -", request).exit_code, 3);
+  EXPECT_EQ(run_eval("order --in -", request).exit_code, 3);
 }
 
 TEST(EvalCompound, SaysWhatIsWrong) {
-  EXPECT_EQ(tps_eval("group").exit_code, 2);
-  EXPECT_EQ(tps_eval("order --scalar quad").exit_code, 2);
-  EXPECT_EQ(tps_eval("load --why m_A=1 m_B=1 v_A=0,0 v_B=0,0").exit_code, 2);
-  EXPECT_EQ(tps_eval("block_time --scalar quad --why " + query("-5,0") + "L=1").exit_code, 2);
-  EXPECT_EQ(tps_eval("group --why --in -", "{}").exit_code, 2);
-  const Evaluated words = tps_eval("order first.kind=block u_A=0,0");
+  EXPECT_EQ(run_eval("group").exit_code, 2);
+  EXPECT_EQ(run_eval("order --scalar quad").exit_code, 2);
+  EXPECT_EQ(run_eval("load --why m_A=1 m_B=1 v_A=0,0 v_B=0,0").exit_code, 2);
+  EXPECT_EQ(run_eval("block_time --scalar quad --why " + query("-5,0") + "L=1").exit_code, 2);
+  EXPECT_EQ(run_eval("group --why --in -", "{}").exit_code, 2);
+  const Outcome words = run_eval("order first.kind=block u_A=0,0");
   EXPECT_EQ(words.exit_code, 3);
   EXPECT_NE(words.text.find("'u_A=0,0' is neither"), std::string::npos);
-  EXPECT_NE(tps_eval("order first.u_A=0,0").text.find("first.kind is missing"), std::string::npos);
-  EXPECT_NE(tps_eval("group --in -", "{\"bodies\":[]}").text.find("needs the key collisions"),
+  EXPECT_NE(run_eval("order first.u_A=0,0").text.find("first.kind is missing"), std::string::npos);
+  EXPECT_NE(run_eval("group --in -", "{\"bodies\":[]}").text.find("needs the key collisions"),
             std::string::npos);
 }
 

@@ -117,7 +117,8 @@ Replies read_replies(const std::string& path) {
       throw InputError(
           {{path, number, "", R"(is not a reply; allowed: {"id":…,"out":{…}} or {"seq":n,"out":{…}})"}});
     }
-    replies[reply.contains("id") ? reply["id"].dump() : reply["seq"].dump()] = std::move(reply);
+    const std::string key = (reply.contains("id") ? reply["id"] : reply["seq"]).dump();
+    replies[key] = std::move(reply);
   }
   return replies;
 }
