@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <unordered_map>
 
 #include "reference/scene/input_error.hpp"
@@ -35,10 +36,10 @@ struct Selection {
 };
 
 void add_selection(CLI::App& verb, Selection& selection) {
-  std::vector<std::string> ops, names;
+  std::set<std::string> ops, names;
   for (const Stratum& stratum : vectors::strata()) {
-    ops.push_back(stratum.op);
-    names.push_back(stratum.name);
+    ops.insert(stratum.op);
+    names.insert(stratum.name);
   }
   verb.add_option("--op", selection.ops, "Only these operations")->check(CLI::IsMember(ops));
   verb.add_option("--stratum", selection.names, "Only these strata")->check(CLI::IsMember(names));
