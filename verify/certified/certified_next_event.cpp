@@ -2,15 +2,12 @@
 
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
+#include "verify/certified/timing_input.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/time_order.hpp"
 
 namespace tps::certified {
 namespace {
-
-exact::Vec3 in_space(const std::vector<double>& x) {
-  return {x[0], x[1], x.size() > 2 ? x[2] : 0};
-}
 
 /// The one that is before all others.
 std::optional<std::size_t> earliest(const std::vector<exact::TimingQuery>& queries) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reference/scene/number_text.hpp"
+#include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/vectors/response_answer.hpp"
 #include "verify/vectors/time_bracket.hpp"
@@ -15,13 +16,10 @@
 namespace tps::vectors {
 namespace {
 
+using certified::in_space;
 using exact::Kind;
 using exact::TimingQuery;
 using exact::Vec3;
-
-Vec3 in_space(const std::vector<double>& x) {
-  return {x[0], x[1], x.size() > 2 ? x[2] : 0};
-}
 
 Json vector_of(const Vec3& x, int dimension) {
   return hex(std::vector<double>(x.begin(), x.begin() + dimension));

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace tps::vectors {
 
@@ -19,6 +21,25 @@ std::pair<double, double> straddling_doubles(double first, double last, Predicat
     (same_as_first(sign * std::bit_cast<double>(middle)) ? near : far) = middle;
   }
   return {sign * std::bit_cast<double>(near), sign * std::bit_cast<double>(far)};
+}
+
+/// The two questions one bit of x apart, between x = first and x = last, that `answer` tells apart; absent
+/// where both ends have one answer. REQUIRES x a number of `question`, first and last of one sign.
+template <typename Question, typename Answer>
+std::optional<std::pair<Question, Question>> twins(Question& question, double& x, double first, double last,
+                                                   Answer answer) {
+  x = first;
+  const auto of_first = answer(question);
+  x = last;
+  if (answer(question) == of_first) return std::nullopt;
+  const auto [near, far] = straddling_doubles(first, last, [&](double middle) {
+    x = middle;
+    return answer(question) == of_first;
+  });
+  x = near;
+  const Question one = question;
+  x = far;
+  return std::pair{one, question};
 }
 
 }  // namespace tps::vectors

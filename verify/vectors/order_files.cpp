@@ -101,18 +101,7 @@ std::pair<Pair, Pair> order_twins(Random& random) {
     const double step = std::ldexp(1.0, -random.integer(2, 45));
     const double first = x * (1 - step);
     const double last = x * (1 + step);
-    x = first;
-    const exact::Order order = order_of(pair);
-    x = last;
-    if (order_of(pair) == order) continue;
-    const auto [near, far] = straddling_doubles(first, last, [&](double middle) {
-      x = middle;
-      return order_of(pair) == order;
-    });
-    x = near;
-    const Pair one = pair;
-    x = far;
-    return {one, pair};
+    if (const auto found = twins(pair, x, first, last, order_of)) return *found;
   }
   throw std::logic_error("no change of order found; the families of timing_strata() have changed");
 }

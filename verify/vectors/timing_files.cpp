@@ -36,17 +36,7 @@ std::pair<TimingQuery, TimingQuery> verdict_twins(Random& random, Kind kind) {
     const double step = side * std::ldexp(1.0, -random.integer(1, 40));
     const double last = x * (1 + step);
     if (first == 0 || first == last) continue;
-    const exact::Verdict verdict = verdict_of_query(query);
-    x = last;
-    if (verdict_of_query(query) == verdict) continue;
-    const auto [near, far] = straddling_doubles(first, last, [&](double middle) {
-      x = middle;
-      return verdict_of_query(query) == verdict;
-    });
-    x = near;
-    const TimingQuery one = query;
-    x = far;
-    return {one, query};
+    if (const auto found = twins(query, x, first, last, verdict_of_query)) return *found;
   }
   throw std::logic_error("no change of verdict found; the families of timing_strata() have changed");
 }
