@@ -21,7 +21,7 @@ struct Trace {
   std::size_t torn = 0;  ///< bytes that the file lacks at its end
 };
 
-/// The trace that a file holds; text_of is its inverse, byte for byte.
+/// The trace that a file holds; text_of is its inverse but for the spelling of decimals in the scene.
 Trace trace_of(const std::string& bytes);
 std::string text_of(const Trace& trace);
 

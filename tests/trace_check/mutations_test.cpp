@@ -9,22 +9,28 @@
 namespace tps::mutation {
 namespace {
 
-constexpr std::uint64_t kTries = 3;
+constexpr std::uint64_t kTries = 2;
 
 class Mutations : public ::testing::TestWithParam<std::string> {};
 
 std::string file_of(const std::string& name, const std::string& scalar = "double") {
   const NamedScene named = scene_named(name);
-  return trace_bytes(named.scene, scalar, Timing::stable, std::min<std::uint64_t>(named.events, 200));
+  return trace_bytes(named.scene, scalar, Timing::stable, std::min<std::uint64_t>(named.events, 100));
+}
+
+/// The lines behind the header, whose scene may spell its decimals in more than one way.
+std::string body_of(const std::string& bytes) {
+  return bytes.substr(bytes.find('\n'));
 }
 
 TEST_P(Mutations, AGoodTraceIsReadAndSettledToItself) {
   for (const char* scalar : {"double", "float"}) {
     const std::string bytes = file_of(GetParam(), scalar);
     Trace trace = trace_of(bytes);
-    EXPECT_EQ(text_of(trace), bytes);
+    EXPECT_EQ(body_of(text_of(trace)), body_of(bytes));
     settle(trace);
-    EXPECT_EQ(text_of(trace), bytes);
+    EXPECT_EQ(body_of(text_of(trace)), body_of(bytes));
+    EXPECT_EQ(trace.scene, scene_named(GetParam()).scene);
   }
 }
 
@@ -42,8 +48,8 @@ bool is_in_order(const Trace& trace) {
 }
 
 TEST_P(Mutations, DifferFromTheOriginalAndKeepTheOrderUnlessTheyBreakIt) {
-  const std::string bytes = file_of(GetParam());
-  const Trace good = trace_of(bytes);
+  const Trace good = trace_of(file_of(GetParam()));
+  const std::string bytes = text_of(good);
   for (const Mutation& m : mutations()) {
     for (std::uint64_t number = 0; number < kTries; ++number) {
       Trace trace = good;
