@@ -36,7 +36,7 @@ const std::vector<Mutation>& broken_plans();
 const std::vector<Mutation>& broken_states();
 const std::vector<Mutation>& broken_ends();
 
-/// All of them.
+/// All of them, in the order above.
 std::vector<Mutation> mutations();
 
 /// A change that the rules allow: the trace stays right.

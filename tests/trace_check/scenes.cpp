@@ -7,6 +7,7 @@
 #include <map>
 
 #include "reference/scene/builders/gas.hpp"
+#include "reference/scene/builders/two_anchors.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
@@ -132,15 +133,19 @@ Scene abreast() {
   return scene;
 }
 
+Scene stalled() {
+  return build_two_anchors({});
+}
+
 const std::map<std::string, std::function<Scene()>>& made() {
   static const std::map<std::string, std::function<Scene()>> scenes = {
-      {"abreast", abreast}, {"crowded", crowded}, {"dicing", dicing},  {"grouped", grouped},
-      {"nested", nested},   {"planned", planned}, {"tearing", tearing}};
+      {"abreast", abreast}, {"crowded", crowded}, {"dicing", dicing},   {"grouped", grouped},
+      {"nested", nested},   {"planned", planned}, {"stalled", stalled}, {"tearing", tearing}};
   return scenes;
 }
 
 std::uint64_t cut(const std::string& name) {
-  if (name == "two-anchors") return 20'000;  // it stalls at 10 004
+  if (name == "stalled") return 20'000;  // it stalls at 10 004
   if (name == "gas" || name == "terminal") return 150;
   return 300;
 }

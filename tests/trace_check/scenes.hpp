@@ -13,7 +13,8 @@ namespace tps::mutation {
 struct NamedScene {
   std::string name;
   Scene scene;
-  std::uint64_t events;  ///< that its trace is cut to
+  std::uint64_t events;       ///< that its trace is cut to
+  bool stands_still = false;  ///< long and monotonous: only its end is of interest
 };
 
 /// The shipped scenes and those made for the check, by name.
