@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.footer(kFooter);
   tps::cli::add_run(app, exit_code);
+  tps::cli::add_check(app, exit_code);
   tps::cli::add_explain(app, exit_code);
   tps::cli::add_scene(app, exit_code);
   tps::cli::add_draw(app, exit_code);

@@ -1,0 +1,358 @@
+// LineReading, included by the instantiating sources only (simdjson is a heavy header).
+#pragma once
+
+#include <fmt/format.h>
+#include <simdjson.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "reference/scene/nearest_name.hpp"
+#include "verify/trace_check/read_line.hpp"
+#include "verify/trace_check/text_number.hpp"
+
+namespace tps::check {
+
+namespace dom = simdjson::dom;
+
+[[noreturn]] inline void problem(const std::string& pointer, const std::string& message) {
+  throw LineProblem(pointer, message);
+}
+
+inline const std::vector<std::string>& event_keys() {
+  static const std::vector<std::string> keys = {"k",    "t",  "dt",        "kind",   "i",    "j",      "phase",
+                                                "pre",  "post", "dp", "dp_stored", "tether", "draw", "members"};
+  return keys;
+}
+
+template <typename Number>
+class LineReading<Number>::Json {
+ public:
+  Json(const Scene& scene, bool minimal, int digits) : scene_(scene), minimal_(minimal), digits_(digits) {
+    for (std::size_t n = 0; n < scene.particles.size(); ++n) {
+      index_of_.emplace(scene.particles[n].id, static_cast<int>(n));
+    }
+  }
+
+  Line<Number> read(std::string_view text) {
+    dom::element root;
+    const simdjson::error_code error = parser_.parse(text.data(), text.size()).get(root);
+    if (error != simdjson::SUCCESS) {
+      problem("", fmt::format("is not JSON ({}); a trace has one object a line", simdjson::error_message(error)));
+    }
+    dom::object line;
+    if (root.get(line) != simdjson::SUCCESS) problem("", "is not an object; a trace has one object a line");
+    dom::element ignored;
+    if (line["state"].get(ignored) == simdjson::SUCCESS) return state(line, text);
+    if (line["end"].get(ignored) == simdjson::SUCCESS) return end(line);
+    return event(line);
+  }
+
+ private:
+  static std::string path(const std::string& at, std::string_view key) { return fmt::format("{}/{}", at, key); }
+
+  static std::string_view text(dom::element value, const std::string& at) {
+    std::string_view result;
+    if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a string");
+    return result;
+  }
+
+  static std::uint64_t count(dom::element value, const std::string& at) {
+    std::uint64_t result = 0;
+    if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a number of events: 0, 1, 2, …");
+    return result;
+  }
+
+  Number number(dom::element value, const std::string& at) const {
+    double plain = 0;
+    std::string_view hex;
+    if (minimal_ && value.get(plain) == simdjson::SUCCESS) return Number(plain);
+    if (value.get(hex) != simdjson::SUCCESS) problem(at, kNumberForm);
+    const std::optional<Number> result = number_of<Number>(hex);
+    if (!result || !fits(hex, *result)) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
+    if (!(*result - *result == Number(0))) problem(at, "is infinite; positions, velocities and impulses are finite");
+    return *result;
+  }
+
+  bool fits(std::string_view hex, const Number& value) const {
+    if constexpr (std::is_same_v<Number, double>) {
+      return digits_ >= 53 || static_cast<double>(static_cast<float>(value)) == value;
+    } else {
+      return significant_bits(*split_hex(hex)) <= digits_;
+    }
+  }
+
+  Instant<Number> instant(dom::element value, const std::string& at) const {
+    double plain = 0;
+    if (minimal_ && value.get(plain) == simdjson::SUCCESS) {
+      return {Number(plain) - Number(scene_.start_time), Number(0)};
+    }
+    const std::string_view hex = text(value, at);
+    const std::optional<Instant<Number>> result = instant_of<Number>(hex, scene_.start_time);
+    if (!result) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
+    return *result;
+  }
+
+  Vec<Number> vector(dom::element value, const std::string& at) const {
+    dom::array components;
+    const auto dimension = static_cast<std::size_t>(scene_.dimension);
+    if (value.get(components) != simdjson::SUCCESS || components.size() != dimension) {
+      problem(at, fmt::format("is not a list of {} numbers, the dimension of the scene", dimension));
+    }
+    Vec<Number> result;
+    std::size_t n = 0;
+    for (const dom::element component : components) {
+      result[n] = number(component, at);
+      ++n;
+    }
+    return result;
+  }
+
+  int particle(std::int64_t id, const std::string& at) const {
+    const auto found = id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
+    if (found == index_of_.end()) problem(at, fmt::format("names particle {}, which the scene does not have", id));
+    return found->second;
+  }
+  int particle(dom::element value, const std::string& at) const {
+    std::int64_t id = 0;
+    if (value.get(id) != simdjson::SUCCESS) problem(at, "is not the id of a particle");
+    return particle(id, at);
+  }
+  int particle_named(std::string_view key, const std::string& at) const {
+    std::int64_t id = -1;
+    const auto [last, error] = std::from_chars(key.data(), key.data() + key.size(), id);
+    if (error != std::errc() || last != key.data() + key.size() || key != std::to_string(id)) {
+      problem(at, fmt::format("\"{}\" is not the id of a particle", key.substr(0, 60)));
+    }
+    return particle(id, at);
+  }
+
+  static Kind kind_of(std::string_view text) {
+    for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
+      if (name(static_cast<Kind>(n)) == text) return static_cast<Kind>(n);
+    }
+    problem("/kind", fmt::format("\"{}\" is not a kind of event; allowed are rebound, retract, revolve, break, "
+                                 "restitute, scheduled_impulse, phase_begin, phase_end",
+                                 text.substr(0, 60)));
+  }
+
+  EventLine<Number> event(const dom::object& line) {
+    EventLine<Number> event;
+    bool has_kind = false, has_t = false;
+    std::uint32_t seen = 0;
+    for (const auto [key, value] : line) {
+      const std::string at = path("", key);
+      const auto place = std::find(event_keys().begin(), event_keys().end(), key);
+      if (place == event_keys().end()) unknown_key(at, key, event_keys());
+      const std::uint32_t bit = 1U << static_cast<unsigned>(place - event_keys().begin());
+      if ((seen & bit) != 0) problem(at, "stands twice in the line");
+      seen |= bit;
+      if (key == "k") event.k = count(value, at);
+      if (key == "t") {
+        event.t = instant(value, at);
+        event.t_text = value.is_string() ? std::string(text(value, at)) : fmt::format("{}", simdjson::minify(value));
+        has_t = true;
+      }
+      if (key == "dt") event.dt = number(value, at);
+      if (key == "kind") {
+        event.kind = kind_of(text(value, at));
+        has_kind = true;
+      }
+      if (key == "i") event.i = particle(value, at);
+      if (key == "j") event.j = particle(value, at);
+      if (key == "phase") event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
+      if (key == "dp") event.dp = vector(value, at);
+      if (key == "dp_stored") event.dp_stored = vector(value, at);
+      if (key == "tether") event.formed = formed(text(value, at));
+      if (key == "draw") event.draw = draw(value, at);
+      if (key == "members") event.members = members(value, at);
+    }
+    if (!has_t) problem("", "has no \"t\": every event has one, or the line is no event");
+    if (!has_kind) problem("", "has no \"kind\": every event has one");
+    states(line, event);
+    demand(event);
+    return event;
+  }
+
+  [[noreturn]] static void unknown_key(const std::string& at, std::string_view key, const std::vector<std::string>& known) {
+    problem(at, fmt::format("is not known here; did you mean \"{}\"?", nearest_name(key, known)));
+  }
+
+  static bool formed(std::string_view text) {
+    if (text != "formed" && text != "broken") problem("/tether", "is neither \"formed\" nor \"broken\"");
+    return text == "formed";
+  }
+
+  double draw(dom::element value, const std::string& at) const {
+    const double result = static_cast<double>(number(value, at));
+    if (!(result >= 0 && result < 1)) problem(at, "is not in [0, 1), as a draw is");
+    return result;
+  }
+
+  std::vector<int> members(dom::element value, const std::string& at) const {
+    dom::array ids;
+    if (value.get(ids) != simdjson::SUCCESS || ids.size() == 0) problem(at, "is not a list of particles");
+    std::vector<int> result;
+    for (const dom::element id : ids) result.push_back(particle(id, at));
+    for (std::size_t n = 1; n < result.size(); ++n) {
+      if (result[n - 1] >= result[n]) problem(at, "is not ascending");
+    }
+    return result;
+  }
+
+  void states(const dom::object& line, EventLine<Number>& event) const {
+    dom::object before, after;
+    dom::element pre, post;
+    const bool has_post = line["post"].get(post) == simdjson::SUCCESS;
+    const bool has_pre = line["pre"].get(pre) == simdjson::SUCCESS;
+    if (has_post && post.get(after) != simdjson::SUCCESS) problem("/post", "is not an object");
+    if (has_pre && pre.get(before) != simdjson::SUCCESS) problem("/pre", "is not an object");
+    if (has_post) {
+      for (const auto [key, value] : after) {
+        const std::string at = path("/post", key);
+        InvolvedParticle<Number> p{};
+        p.particle = particle_named(key, at);
+        if (event.of(p.particle) != nullptr) problem(at, "stands twice in the line");
+        dom::element velocity, position;
+        check_keys(value, at);
+        if (value["velocity"].get(velocity) != simdjson::SUCCESS) problem(at, "has no \"velocity\"");
+        p.velocity_after = vector(velocity, path(at, "velocity"));
+        if (value["position"].get(position) == simdjson::SUCCESS) {
+          p.position_after = vector(position, path(at, "position"));
+        } else if (!minimal_) {
+          problem(at, "has no \"position\"");
+        }
+        event.involved.push_back(std::move(p));
+      }
+    }
+    if (has_pre) read_before(before, event);
+  }
+
+  void read_before(const dom::object& before, EventLine<Number>& event) const {
+    std::size_t found = 0;
+    for (const auto [key, value] : before) {
+      const std::string at = path("/pre", key);
+      const int index = particle_named(key, at);
+      auto* p = const_cast<InvolvedParticle<Number>*>(event.of(index));
+      if (p == nullptr) problem(at, "is not in \"post\"");
+      if (p->velocity_before || p->position_before) problem(at, "stands twice in the line");
+      dom::element velocity, position;
+      check_keys(value, at);
+      if (value["velocity"].get(velocity) == simdjson::SUCCESS) p->velocity_before = vector(velocity, path(at, "velocity"));
+      if (value["position"].get(position) == simdjson::SUCCESS) p->position_before = vector(position, path(at, "position"));
+      if (!minimal_ && (!p->velocity_before || !p->position_before)) problem(at, "lacks \"position\" or \"velocity\"");
+      ++found;
+    }
+    if (!minimal_ && found != event.involved.size()) problem("/pre", "does not have the particles of \"post\"");
+  }
+
+  static void check_keys(dom::element value, const std::string& at) {
+    static const std::vector<std::string> keys = {"position", "velocity"};
+    dom::object object;
+    if (value.get(object) != simdjson::SUCCESS) problem(at, "is not an object");
+    for (const auto [key, ignored] : object) {
+      if (key != "position" && key != "velocity") unknown_key(path(at, key), key, keys);
+    }
+  }
+
+  /// What an event of its kind has to have and must not have.
+  void demand(const EventLine<Number>& e) const {
+    const auto need = [](bool there, std::string_view key, Kind kind) {
+      if (!there) problem("", fmt::format("lacks \"{}\", which a {} has", key, name(kind)));
+    };
+    const auto forbid = [](bool there, std::string_view key, Kind kind) {
+      if (there) problem(path("", key), fmt::format("is not for a {}", name(kind)));
+    };
+    if (!minimal_) {
+      need(e.k.has_value(), "k", e.kind);
+      need(e.dt.has_value(), "dt", e.kind);
+    }
+    need(e.phase.has_value() || !is_phase(e.kind), "phase", e.kind);
+    forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
+    forbid(e.i >= 0 && is_phase(e.kind), "i", e.kind);
+    forbid(!e.involved.empty() && is_phase(e.kind), "post", e.kind);
+    if (is_phase(e.kind)) return;
+    const bool alone = e.kind == Kind::scheduled_impulse;
+    need(e.i >= 0, "i", e.kind);
+    need(e.j >= 0 || alone, "j", e.kind);
+    forbid(e.j >= 0 && alone, "j", e.kind);
+    if (!alone && e.i >= e.j) problem("/i", "is not below j; a pair is named in the order of its ids");
+    need(e.of(e.i) != nullptr, "post of i", e.kind);
+    need(alone || e.of(e.j) != nullptr, "post of j", e.kind);
+    if (!minimal_) {
+      need(e.of(e.i)->position_before.has_value(), "pre", e.kind);
+      need(e.dp.has_value() || e.kind == Kind::broken, "dp", e.kind);
+      need(!e.members.empty() || !e.dp_stored, "members", e.kind);
+    }
+    forbid(e.dp.has_value() && e.kind == Kind::broken, "dp", e.kind);
+    if (e.kind == Kind::broken && e.formed.value_or(!minimal_)) problem("/tether", "of a break is \"broken\"");
+    forbid(e.dp_stored && (e.kind == Kind::broken || e.kind >= Kind::restitute), "dp_stored", e.kind);
+    forbid(!e.members.empty() && (e.kind == Kind::broken || e.kind >= Kind::restitute), "members", e.kind);
+    forbid(e.draw && e.kind != Kind::rebound && e.kind != Kind::retract && e.kind != Kind::revolve &&
+               e.kind != Kind::broken,
+           "draw", e.kind);
+    if (e.formed && *e.formed && e.kind != Kind::rebound) problem("/tether", "forms at a rebound only");
+    if (e.formed && !*e.formed && e.kind != Kind::broken) problem("/tether", "breaks at a break only");
+  }
+
+  StateLine<Number> state(const dom::object& line, std::string_view text) const {
+    static const std::vector<std::string> keys = {
+        "state",  "t",     "final",    "now",    "last_event", "progress_event", "particles",   "tethers",
+        "responded", "groups", "draws", "progress", "counts", "quantities", "observations"};
+    std::set<std::string_view> seen;
+    for (const auto [key, ignored] : line) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) unknown_key(path("", key), key, keys);
+      if (!seen.insert(key).second) problem(path("", key), "stands twice in the line");
+    }
+    dom::element t;
+    if (line["t"].get(t) != simdjson::SUCCESS) problem("", "lacks \"t\", which a full state has");
+    StateLine<Number> state{{}, instant(t, "/t")};
+    try {
+      state.data = read_state(text);
+    } catch (const std::exception& error) {
+      problem("", fmt::format("is not a full state: {}", error.what()));
+    }
+    return state;
+  }
+
+  EndLine<Number> end(const dom::object& line) const {
+    static const std::vector<std::string> keys = {"end", "events", "t"};
+    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled", "interrupted"};
+    for (const auto [key, ignored] : line) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) unknown_key(path("", key), key, keys);
+    }
+    dom::element reason, events, t;
+    if (line["end"].get(reason) != simdjson::SUCCESS || line["events"].get(events) != simdjson::SUCCESS ||
+        line["t"].get(t) != simdjson::SUCCESS) {
+      problem("", "is no complete end: {\"end\":reason,\"events\":n,\"t\":…}");
+    }
+    EndLine<Number> end{std::string(text(reason, "/end")), count(events, "/events"), instant(t, "/t")};
+    if (std::find(reasons.begin(), reasons.end(), end.reason) == reasons.end()) {
+      problem("/end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60), fmt::join(reasons, ", ")));
+    }
+    return end;
+  }
+
+  static constexpr const char* kNumberForm =
+      "is not an exact number of the trace's scalar: a hexadecimal float in a string, \"0x1.8p+1\"";
+
+  const Scene& scene_;
+  bool minimal_;
+  int digits_;
+  std::unordered_map<std::int32_t, int> index_of_;
+  dom::parser parser_;
+};
+
+template <typename Number>
+LineReading<Number>::LineReading(const Scene& scene, bool minimal, int digits)
+    : json_(std::make_unique<Json>(scene, minimal, digits)) {}
+template <typename Number>
+LineReading<Number>::~LineReading() = default;
+
+template <typename Number>
+Line<Number> LineReading<Number>::read(std::string_view text) {
+  return json_->read(text);
+}
+
+}  // namespace tps::check
