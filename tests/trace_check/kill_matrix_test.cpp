@@ -47,7 +47,9 @@ class GoodTraces : public ::testing::TestWithParam<std::string> {
     const std::string what = scalar + ' ' + timing_names()[static_cast<std::size_t>(timing)];
     EXPECT_EQ(report.violated(), 0U) << what << '\n' << findings_of(report);
     EXPECT_FALSE(report.inconclusive()) << what << '\n' << findings_of(report);
-    if (timing == Timing::certified) EXPECT_EQ(report.undecided(), 0U) << what << '\n' << findings_of(report);
+    if (timing == Timing::certified) {
+      EXPECT_EQ(report.undecided(), 0U) << what << '\n' << findings_of(report);
+    }
   }
   static constexpr std::uint64_t kAll = 1'000'000;
 };
@@ -77,7 +79,7 @@ TEST_P(GoodTraces, StayGoodUnderLegalChanges) {
   for (const Timing timing : {Timing::stable, Timing::certified}) {
     const Trace good = trace_of(trace_bytes(named.scene, "double", timing, named.events));
     for (const Legal& change : legal_changes()) {
-      for (const std::uint64_t number : {0, 1, 2}) {
+      for (std::uint64_t number = 0; number < 3; ++number) {
         Trace trace = good;
         if (!change.apply(trace, number)) continue;
         const CheckReport report = checked(text_of(trace));
@@ -136,10 +138,12 @@ std::vector<SceneAndRun> runs() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, KillMatrix, ::testing::ValuesIn(runs()), [](const auto& run) {
-  const auto& [scene, scalar, timing] = run.param;
+std::string name_of(const ::testing::TestParamInfo<SceneAndRun>& info) {
+  const auto& [scene, scalar, timing] = info.param;
   return as_test_name(scene) + '_' + scalar + '_' + timing_names()[static_cast<std::size_t>(timing)];
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, KillMatrix, ::testing::ValuesIn(runs()), name_of);
 
 TEST(KillMatrixAsAWhole, HasAPlaceForEveryMutation) {
   std::vector<Mutation> unused = mutations();
