@@ -90,8 +90,8 @@ template <typename W>
 Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   using std::sqrt;
   const W zero(0);
-  const W early = std::max(zero, W(q.h * q.h - q.a * (q.c + q.q_error)));
-  const W late = std::max(zero, W(q.h * q.h - q.a * (q.c - q.q_error)));
+  const W early = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c + q.q_error))));
+  const W late = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c - q.q_error))));
   const auto larger_root = [&](const W& h, const W& root, const W& c) {
     return h > zero && c < zero ? W(-c / (h + root)) : W((root - h) / q.a);
   };

@@ -23,6 +23,17 @@ struct PairFlight {
   }
 };
 
+/// u + v dt in a scalar of the hardware, stored in doubles: a rounding each.
+template <typename Scalar>
+Vec<double> carried_in(const Flight<double>& f, double dt) {
+  Vec<double> x;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Scalar step = static_cast<Scalar>(f.velocity[k]) * static_cast<Scalar>(dt);
+    x[k] = static_cast<Scalar>(f.position[k]) + step;
+  }
+  return x;
+}
+
 /// u + v dt as the run's own scalar rounds it (docs/trace.md): for float and double the same bits; for wider
 /// scalars to the working precision, with `blur` for the rounding.
 template <typename Number>
@@ -32,17 +43,7 @@ Vec<Number> carried(const Flight<Number>& f, const Instant<Number>& t, const Pre
   if constexpr (std::is_same_v<Number, double>) {
     const exact::DoubleWord apart = exact::two_sum(t.hi, -f.since.hi);
     const double dt = apart.hi + (apart.lo + (t.lo - f.since.lo));
-    Vec<double> x;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (precision.is_float) {
-        const float step = static_cast<float>(f.velocity[k]) * static_cast<float>(dt);
-        x[k] = static_cast<float>(f.position[k]) + step;
-      } else {
-        const double step = f.velocity[k] * dt;
-        x[k] = f.position[k] + step;
-      }
-    }
-    return x;
+    return precision.is_float ? carried_in<float>(f, dt) : carried_in<double>(f, dt);
   } else {
     const Number dt = elapsed(f.since, t);
     const Vec<Number> step = dt * f.velocity;

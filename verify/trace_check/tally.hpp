@@ -68,20 +68,21 @@ class Tally {
 
   void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
 
-  /// Adds a residual in ulps to the sum of a quantity.
-  void residual(const char* of, double ulps) {
-    if (!std::isfinite(ulps)) return;
+  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x.
+  void residual(const char* of, double y, double x = 1) {
+    if (!std::isfinite(x * y)) return;
     Moments& m = moments_[of];
     ++m.count;
-    m.sum += ulps;
-    m.squares += ulps * ulps;
+    m.xy += x * y;
+    m.xx += x * x;
+    m.yy += y * y;
   }
   void close_sums();
 
  private:
   struct Moments {
     std::uint64_t count = 0;
-    double sum = 0, squares = 0;
+    double xy = 0, xx = 0, yy = 0;
   };
 
   RuleResult& of(Rule rule) { return report_.rules[static_cast<std::size_t>(rule)]; }

@@ -38,7 +38,8 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
   return clock_had_passed && dt - t <= W(2.5) * c.u() * std::fabs(W(event.t.hi)) + rounding;
 }
 
-/// The residual of the time, where the pair does not graze: its ulps add up to nothing over a run.
+/// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected: that of
+/// the time and that of the distance.
 template <typename Number>
 void add_time_residual(const Context<Number>& c, const Quadratic<Work<Number>>& q, bool outer,
                        const Work<Number>& dt) {
@@ -48,7 +49,10 @@ void add_time_residual(const Context<Number>& c, const Quadratic<Work<Number>>& 
   if (!(q.a > W(0)) || D < q.h * q.h / W(4) || dt <= W(0)) return;
   const W root = sqrt(D);
   const W t = outer ? (q.h > W(0) ? W(-q.c / (q.h + root)) : W((root - q.h) / q.a)) : W(q.c / (root - q.h));
-  if (t > W(0)) c.tally.residual("time", as_double(W((dt - t) / (c.u() * t))));
+  if (t <= W(0)) return;
+  const W ulp = c.u() * t;
+  const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
+  c.tally.residual("time", as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
 }
 
 }  // namespace detail
