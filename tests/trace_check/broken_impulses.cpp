@@ -23,6 +23,11 @@ bool pushes_by_eq4(const Place& place) {
   return pushes(place) && place.event.at("kind") != "revolve";
 }
 
+/// The same where the velocities after are those of the impulse, and nothing is stored.
+bool pushes_by_eq4_alone(const Place& place) {
+  return pushes_by_eq4(place) && !is_load(place.event);
+}
+
 /// What a condition needs to know of a revolution.
 const TetheringLaw* revolves(const Place& place) {
   if (!pushes(place) || place.event.at("kind") != "revolve") return nullptr;
@@ -146,15 +151,14 @@ Broken revolved_for_retracted(Trace& trace, std::uint64_t number) {
 
 /// More bounce than there was approach: energy from nowhere, momentum as it should be.
 Broken energy_from_nowhere(Trace& trace, std::uint64_t number) {
-  return with_impulse(trace, number, pushes_by_eq4,
+  return with_impulse(trace, number, pushes_by_eq4_alone,
                       [](const Place& p) { return Vec(impulse(p) * (2.2 / (1 + coefficient(p)))); });
 }
 
 /// The velocity after a collision turned by a little: energy and momentum stay, angular momentum does not.
 Broken turned_after(Trace& trace, std::uint64_t number) {
-  const auto single = [](const Place& p) { return pushes_by_eq4(p) && !is_load(p.event); };
   const double angle = std::max(1e-6, 4096 * epsilon(trace));
-  return with_impulse(trace, number, single, [angle](const Place& p) {
+  return with_impulse(trace, number, pushes_by_eq4_alone, [angle](const Place& p) {
     const Vec after = p.approach() - impulse(p) / reduced_mass(p);
     const Vec u = p.axis();
     const Vec w = across(p);

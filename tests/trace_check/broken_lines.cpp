@@ -89,6 +89,12 @@ Broken partner_missing(Trace& trace, std::uint64_t number) {
   });
 }
 
+Broken draw_out_of_range(Trace& trace, std::uint64_t number) {
+  return at_event(
+      trace, number, [](const Place& p) { return p.event.contains("draw"); },
+      [&](std::size_t n, const Retold&) { trace.lines[n]["draw"] = "0x1p+0"; });
+}
+
 Broken second_header(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place&) { return true; },
@@ -119,6 +125,7 @@ const std::vector<Mutation>& broken_lines() {
       {"break_without_saying_so", "a break does not say that the tether is broken", schema,
        break_without_saying_so},
       {"partner_missing", "post does not hold j", schema, partner_missing},
+      {"draw_out_of_range", "a draw of 1; draws are below", schema, draw_out_of_range},
       {"second_header", "the header comes again among the events", schema, second_header},
       {"torn_in_the_middle", "a line is JSON, but no event", schema, torn_in_the_middle},
   };

@@ -133,7 +133,7 @@ const std::vector<Mutation>& broken_plans() {
       {"push_without_mass", "J is added to the velocity", impulse, push_without_mass},
       {"push_repeated", "a scheduled impulse comes twice", earliest, push_repeated},
       {"other_phase", "a phase ends where it begins", earliest, other_phase},
-      {"phase_that_is_none", "a phase that the scene does not have", schema, phase_that_is_none},
+      {"phase_that_is_none", "a phase that the scene does not have", earliest, phase_that_is_none},
   };
   return list;
 }

@@ -6,9 +6,17 @@
 namespace tps::mutation {
 namespace {
 
+/// Whether another event of the same pair at the same limit comes next: then it is that one which is not at
+/// its root.
+bool same_again(const Place& place) {
+  const Json& next = *place.next;
+  return is_collision(next) && next.at("i") == place.i() && next.at("j") == place.j() &&
+         is_pull(next) == is_pull(place.event);
+}
+
 /// Whether going without this event leads far beyond the limit before the next one.
 bool is_missed(const Place& place) {
-  return is_collision(place.event) && place.next != nullptr &&
+  return is_collision(place.event) && place.next != nullptr && !same_again(place) &&
          place.visible(place.until_next() * place.normal_speed());
 }
 

@@ -142,14 +142,6 @@ Broken state_counts_off(Trace& trace, std::uint64_t number) {
   });
 }
 
-Broken state_ledger_off(Trace& trace, std::uint64_t number) {
-  return at_state(trace, number, is_later, [&](Json& state) {
-    Json& lost = state["quantities"]["lost"][0];
-    lost = spelt(trace,
-                 mutation::number(lost) + 1 + mutation::number(state["quantities"]["kinetic_at_start"][0]));
-  });
-}
-
 Broken state_time_off(Trace& trace, std::uint64_t number) {
   const auto has_time = [](const Json& s) { return is_later(s) && mutation::number(s.at("now")[0]) > 0; };
   return at_state(trace, number, has_time, [&](Json& state) {
@@ -166,12 +158,6 @@ Broken state_out_of_place(Trace& trace, std::uint64_t) {
     return trace.lines[n + 1].at("state").get<std::uint64_t>();
   }
   return {};
-}
-
-Broken state_of_the_start_missing(Trace& trace, std::uint64_t) {
-  if (!is_state(trace.lines[1])) return {};
-  erase_line(trace, 1);
-  return 0;
 }
 
 }  // namespace
@@ -194,10 +180,8 @@ const std::vector<Mutation>& broken_states() {
       {"state_draws_off", "a full state has used one draw more", states, state_draws_off},
       {"state_plan_off", "a full state has done one planned event less", states, state_plan_off},
       {"state_counts_off", "a full state counts one event more", states, state_counts_off},
-      {"state_ledger_off", "a full state has lost more energy than there was", states, state_ledger_off},
       {"state_time_off", "a full state is an ulp later than its event", states, state_time_off},
       {"state_out_of_place", "a full state stands one event too late", states, state_out_of_place},
-      {"state_of_the_start_missing", "the first full state is missing", states, state_of_the_start_missing},
   };
   return list;
 }

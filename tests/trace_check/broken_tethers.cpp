@@ -107,17 +107,6 @@ Broken draw_for_nothing(Trace& trace, std::uint64_t number) {
       [&](std::size_t n, const Retold&) { trace.lines[n]["draw"] = "0x1p-2"; });
 }
 
-/// A random number that the stream of the pair does not give, on the same side of the probability.
-Broken draw_made_up(Trace& trace, std::uint64_t number) {
-  return at_event(
-      trace, number, [](const Place& p) { return p.event.contains("draw"); },
-      [&](std::size_t n, const Retold&) {
-        Json& draw = trace.lines[n]["draw"];
-        draw = draw == "0x0p+0" ? "0x1p-60" : draw;
-        draw = spelt(trace, mutation::number(draw) * (1 - 0x1p-30));
-      });
-}
-
 /// Makes a break of a pull: no impulse, no change of velocities.
 void make_break(Trace& trace, std::size_t line) {
   Json& event = trace.lines[line];
@@ -204,7 +193,6 @@ const std::vector<Mutation>& broken_tethers() {
        not_formed_against_the_draw},
       {"draw_not_recorded", "a rule with a probability, and no draw", tethers, draw_not_recorded},
       {"draw_for_nothing", "a draw that no rule asks for", tethers, draw_for_nothing},
-      {"draw_made_up", "a draw that the scene's seed does not give", tethers, draw_made_up},
       {"broken_against_the_rule", "a tether breaks although the rule says never", tethers,
        broken_against_the_rule},
       {"broken_for_ever", "a permanent tether breaks", tethers, broken_for_ever},

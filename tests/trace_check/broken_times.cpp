@@ -113,9 +113,10 @@ Broken number_skipped(Trace& trace, std::uint64_t number) {
 }
 
 Broken number_given_twice(Trace& trace, std::uint64_t number) {
-  return at_event(
+  const Broken k = at_event(
       trace, number, [](const Place& p) { return p.previous != nullptr; },
       [&](std::size_t n, const Retold&) { count_on(trace, n, -1); });
+  return k ? Broken(*k - 1) : k;
 }
 
 Broken line_lost(Trace& trace, std::uint64_t number) {

@@ -87,14 +87,14 @@ Broken bystander_drifts(Trace& trace, std::uint64_t number) {
 }
 
 Broken teleported(Trace& trace, std::uint64_t number) {
-  const auto away = [](const Place& p) { return flier(p) && p.pre(*flier(p), "position")[0] != 0; };
+  const auto away = [](const Place& p) { return flier(p) && length(p.pre(*flier(p), "position")) > 0; };
   const auto found = find_event(trace, number, away);
   if (!found) return {};
-  const int id = *flier(place_of(trace, *found));
-  Json& event = trace.lines[found->line];
-  const double old = mutation::number(event["pre"][key(id)]["position"][0]);
-  const std::string x = spelt(trace, old * (1 + little(trace)));
-  for (const char* when : {"pre", "post"}) event[when][key(id)]["position"][0] = x;
+  const Place place = place_of(trace, *found);
+  const int id = *flier(place);
+  const Vec from = place.pre(id, "position");
+  const std::string x = spelt(trace, from[0] + length(from) * little(trace));
+  for (const char* when : {"pre", "post"}) trace.lines[found->line][when][key(id)]["position"][0] = x;
   return number_of(trace, found->line);
 }
 

@@ -15,6 +15,15 @@ bool are_pair(const Json& event, int i, int j) {
 
 }  // namespace
 
+std::uint64_t number_of_last(const Trace& trace) {
+  return trace.lines.back().at("events").get<std::uint64_t>();
+}
+
+Broken end_for(Trace& trace, const char* reason) {
+  trace.lines.back()["end"] = reason;
+  return number_of_last(trace);
+}
+
 void erase_line(Trace& trace, std::size_t line) {
   trace.lines.erase(trace.lines.begin() + offset(line));
 }

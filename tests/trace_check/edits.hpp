@@ -11,6 +11,11 @@ inline std::uint64_t number_of(const Trace& trace, std::size_t line) {
   return trace.lines[line].at("k");
 }
 
+/// The number of the last event, by the last line.
+std::uint64_t number_of_last(const Trace& trace);
+/// Gives the end another reason; what is wrong is behind the last event.
+Broken end_for(Trace& trace, const char* reason);
+
 void erase_line(Trace& trace, std::size_t line);
 void insert_line(Trace& trace, std::size_t line, Json text);
 

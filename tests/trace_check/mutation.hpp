@@ -35,6 +35,7 @@ const std::vector<Mutation>& broken_loads();
 const std::vector<Mutation>& broken_plans();
 const std::vector<Mutation>& broken_states();
 const std::vector<Mutation>& broken_ends();
+const std::vector<Mutation>& broken_standstills();
 
 /// All of them, in the order above.
 std::vector<Mutation> mutations();
