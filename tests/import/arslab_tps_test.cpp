@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
@@ -117,6 +119,11 @@ TEST(ArslabTps, WhatIsImportedReadsBackAsTheSameScene) {
   EXPECT_TRUE(reads_back(import_data("four_bodies.json", without_impulses).scene));
 }
 
+TEST(ArslabTps, ThePageShowsTheExample) {
+  EXPECT_NE(content(TPS_SOURCE_DIR "/docs/import.md").find(content(data_folder + "three_bodies.json")),
+            std::string::npos);
+}
+
 TEST(ArslabTps, RandomImpulsesAreAnExplicitChoice) {
   EXPECT_EQ(message_about(content(data_folder + "four_bodies.json")),
             "f:2: /config/ri: found true: random impulses, which this version does not simulate; give "
@@ -152,7 +159,7 @@ TEST(ArslabTps, SaysWhatIsWrong) {
       {"\"10\"", "\"\"", "f:10: /particles/: the key \"\" is no id"},
       {"\"10\"", "\"2147483648\"", "f:10: /particles/2147483648: the key \"2147483648\" is no id"},
       {"\"10\"", "\"a/b~\"", "f:10: /particles/a~1b~0: the key \"a/b~\" is no id"},
-      {"\"10\"", "\"\\u0031\"", "f:10: /particles"},
+      {"\"10\"", "\"\\u0031\"", "f:10: /particles: key \"1\" stands twice, here and in line 8; keep one"},
       {"\"species\": \"block\"", "\"species\": \"blok\"",
        "f:10: /particles/10/species: no species is named \"blok\"; the nearest is \"block\""},
       {"[2.75, 0]", "[2.75, 0, 0]",
@@ -163,7 +170,8 @@ TEST(ArslabTps, SaysWhatIsWrong) {
        "8)"},
       {"[2.75, 0]", "[2.75]",
        "f:10: /particles/10/position: found a list of 1 entry; allowed: a list of 2 or 3 "},
-      {"[2.75, 0]", "[1e999, 0]", "f:10: "},
+      {"[2.75, 0]", "[1e999, 0]",
+       "f:10: /particles/10/position/0: number 1e999 is beyond the largest double"},
       {"[2.75, 0]", "[0.5, 0]",
        "f:10: /particles/10/position: particles 2 and 10 start 0.5 apart, nearer than their blocking "
        "distance 0.75"},

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "reference/scene/builders/builder.hpp"
 #include "reference/scene/write_scene.hpp"

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "reference/scene/check_starts.hpp"
 #include "reference/scene/json_pointer.hpp"
 #include "reference/scene/nearest_name.hpp"
-#include "reference/scene/number_text.hpp"
 #include "reference/scene/scene_source.hpp"
 #include "reference/scene/schema_validator.hpp"
 #include "reference/scene/schema_words.hpp"

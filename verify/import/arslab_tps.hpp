@@ -2,6 +2,7 @@
 // docs/import.md and data/schemas/arslab_tps.schema.json.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
