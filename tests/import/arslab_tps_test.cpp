@@ -106,7 +106,8 @@ TEST(ArslabTps, SaysWhatItAssumesAndDrops) {
   EXPECT_EQ(four.scene.duration, 25) << "that program's built-in time";
   const std::vector<std::string> expected{
       "config.ri is true; the scene has no random impulses, as asked",
-      "config.runtime is missing; the duration is 25, to which that program then ran; --duration gives "
+      "config.runtime is missing; the duration is 25, the built-in time of ARSLab_TPS for such files; "
+      "--duration gives "
       "another",
       "tau, shape and mean of the species are dropped: they describe random impulses",
       "the file has no coefficient of restitution; every pair has c_rebound 1; --c-rebound gives another",

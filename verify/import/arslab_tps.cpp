@@ -74,10 +74,10 @@ class Importer {
     }
     const JsonValue* runtime = config.find("runtime");
     if (runtime == nullptr && !options_.duration) {
-      notes_.push_back(
-          fmt::format("config.runtime is missing; the duration is {}, to which that program then ran; "
-                      "--duration gives another",
-                      built_in_runtime));
+      notes_.push_back(fmt::format(
+          "config.runtime is missing; the duration is {}, the built-in time of ARSLab_TPS for such files; "
+          "--duration gives another",
+          built_in_runtime));
     }
     scene_.duration =
         options_.duration.value_or(runtime == nullptr ? built_in_runtime : runtime->number()->value);
