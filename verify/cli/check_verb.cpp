@@ -65,17 +65,24 @@ int run_check(CheckArguments& a) {
 
 void add_check(CLI::App& app, int& exit_code) {
   const auto a = std::make_shared<CheckArguments>();
-  CLI::App* verb = app.add_subcommand("check", "Judges a trace step by step: is it right, and if not, where first?");
+  CLI::App* verb =
+      app.add_subcommand("check", "Judges a trace step by step: is it right, and if not, where first?");
   verb->add_option("trace", a->trace, "Trace file, - for standard input")->required();
-  verb->add_option("--scene", a->options.scene, "The scene that the trace has to be of (a minimal trace may lack its own)");
+  verb->add_option("--scene", a->options.scene,
+                   "The scene that the trace has to be of (a minimal trace may lack its own)");
   verb->add_option("--tolerance", a->options.tolerance, "Multiplies every derived bound")
       ->check(CLI::Validator(positive_factor, "FACTOR"))
       ->capture_default_str();
-  verb->add_option("--max-reports", a->options.max_reports, "Findings shown in full, for each rule")->capture_default_str();
-  verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json", "junit"}))->capture_default_str();
-  verb->add_option("-o,--output", a->output, "Write the report here, - for standard output")->capture_default_str();
-  verb->add_option("--witness", a->witness,
-                   "Write the first violation of each rule here, as known-answer cases for tps vectors and tps eval");
+  verb->add_option("--max-reports", a->options.max_reports, "Findings shown in full, for each rule")
+      ->capture_default_str();
+  verb->add_option("--format", a->format)
+      ->check(CLI::IsMember({"text", "json", "junit"}))
+      ->capture_default_str();
+  verb->add_option("-o,--output", a->output, "Write the report here, - for standard output")
+      ->capture_default_str();
+  verb->add_option(
+      "--witness", a->witness,
+      "Write the first violation of each rule here, as known-answer cases for tps vectors and tps eval");
   verb->footer(
       "Exit code 1 if a rule is violated, 5 if more than one step in a hundred is undecided.\n"
       "The rules, their bounds and the minimal form of a trace: docs/check.md.\n"

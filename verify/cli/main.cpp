@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   tps::cli::add_check(app, exit_code);
   tps::cli::add_explain(app, exit_code);
   tps::cli::add_scene(app, exit_code);
+  tps::cli::add_import(app, exit_code);
   tps::cli::add_draw(app, exit_code);
   tps::cli::add_claims(app, exit_code);
   tps::cli::add_eval(app, exit_code);

@@ -11,12 +11,12 @@ template <typename Number>
 struct BodiesNow {
   using W = Work<Number>;
   int i, j;
-  Vec<W> r;              ///< from i to j at the event
-  Vec<W> v_i, v_j, v;    ///< before; v = v_j − v_i
+  Vec<W> r;            ///< from i to j at the event
+  Vec<W> v_i, v_j, v;  ///< before; v = v_j − v_i
   W inverse_i, inverse_j;
-  W mu;                  ///< reduced mass
-  W blur{0};             ///< how far r may be off
-  int loads = 0;         ///< of the two bodies: their masses were rounded so often
+  W mu;           ///< reduced mass
+  W blur{0};      ///< how far r may be off
+  int loads = 0;  ///< of the two bodies: their masses were rounded so often
 
   W distance() const { return length(r); }
   Vec<W> axis() const { return W(W(1) / length(r)) * r; }
@@ -24,8 +24,8 @@ struct BodiesNow {
   Vec<W> across() const { return v - W(dot(v, r) / dot(r, r)) * r; }
 };
 
-/// The bodies of i and j at an event: positions as recorded (where the trace has none, the model's), velocities
-/// as recorded before.
+/// The bodies of i and j at an event: positions as recorded (where the trace has none, the model's),
+/// velocities as recorded before.
 template <typename Number>
 BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>& event) {
   using W = Work<Number>;
@@ -63,7 +63,8 @@ struct Response {
 
 /// Eq. (4): Δp = (1 + c) μ v_n û; nothing where the sign of v_n is the wrong one.
 template <typename Number>
-Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored, bool outer, const Work<Number>& u) {
+Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored, bool outer,
+                              const Work<Number>& u) {
   using W = Work<Number>;
   const W c(c_stored);
   const W v_n = b.v_n();

@@ -29,8 +29,10 @@ constexpr std::size_t kStateOfParticle = 4096;
 /// A file that is closed in the end; 0 is the standard input.
 class Descriptor {
  public:
-  explicit Descriptor(const std::string& path) : number_(path == "-" ? 0 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (path != "-" && std::filesystem::is_directory(path)) fail(path, 0, "is a directory; a trace is a file");
+  explicit Descriptor(const std::string& path)
+      : number_(path == "-" ? 0 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (path != "-" && std::filesystem::is_directory(path))
+      fail(path, 0, "is a directory; a trace is a file");
     if (number_ < 0) fail(path, 0, "cannot be opened; a trace is written by tps run SCENE -o TRACE");
   }
   Descriptor(const Descriptor&) = delete;
@@ -61,30 +63,36 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   const JsonDocument document = parse_json(text, file);
   document.problems.throw_if_any();
   const JsonValue& root = document.root;
-  if (root.find("checkpoint") != nullptr) fail(file, 1, "is a checkpoint; the check is for traces, which start with {\"trace\":1,…}");
+  if (root.find("checkpoint") != nullptr)
+    fail(file, 1, "is a checkpoint; the check is for traces, which start with {\"trace\":1,…}");
   const JsonValue* version = root.find("trace");
   if (version == nullptr || version->number() == nullptr || version->number()->value != 1) {
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
-  static const std::vector<std::string> known = {"trace", "semantics", "version", "scalar", "options", "scene", "form"};
+  static const std::vector<std::string> known = {"trace",   "semantics", "version", "scalar",
+                                                 "options", "scene",     "form"};
   for (const JsonMember& member : *root.object()) {
     if (std::find(known.begin(), known.end(), member.key) == known.end()) {
-      fail(file, 1, fmt::format("/{} is not known in a header; known are {}", member.key, fmt::join(known, ", ")));
+      fail(file, 1,
+           fmt::format("/{} is not known in a header; known are {}", member.key, fmt::join(known, ", ")));
     }
   }
   Head head;
   head.scalar = text_at(root, "scalar", "double");
   const auto scalar = scalar_kind(head.scalar);
-  if (!scalar) fail(file, 1, fmt::format("/scalar \"{}\" is none of {}", head.scalar, fmt::join(scalar_names(), ", ")));
+  if (!scalar)
+    fail(file, 1, fmt::format("/scalar \"{}\" is none of {}", head.scalar, fmt::join(scalar_names(), ", ")));
   const std::string form = text_at(root, "form", "full");
-  if (form != "full" && form != "minimal") fail(file, 1, fmt::format("/form \"{}\" is neither \"full\" nor \"minimal\"", form));
+  if (form != "full" && form != "minimal")
+    fail(file, 1, fmt::format("/form \"{}\" is neither \"full\" nor \"minimal\"", form));
   head.minimal = form == "minimal";
   if (const JsonValue* run_options = root.find("options")) {
     const std::string timing = text_at(*run_options, "timing", "stable");
     const auto kind = timing_named(timing);
     if (!kind || !can_be_timed(*scalar, *kind)) {
-      fail(file, 1, fmt::format("/options/timing \"{}\" is none of {} (certified for float and double only)", timing,
-                                fmt::join(timing_names(), ", ")));
+      fail(file, 1,
+           fmt::format("/options/timing \"{}\" is none of {} (certified for float and double only)", timing,
+                       fmt::join(timing_names(), ", ")));
     }
     head.timing = *kind;
   } else if (!head.minimal) {
@@ -110,7 +118,8 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   report.minimal = head.minimal;
   report.particles = head.scene.particles.size();
   report.tolerance = tolerance;
-  for (const RuleFacts& facts : kRuleFacts) report.rules[static_cast<std::size_t>(facts.rule)].rule = facts.rule;
+  for (const RuleFacts& facts : kRuleFacts)
+    report.rules[static_cast<std::size_t>(facts.rule)].rule = facts.rule;
   return report;
 }
 
@@ -129,11 +138,15 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
   const Descriptor descriptor(path);
   bool interrupted = false;
   const auto stop = [&] { return options.interrupt != nullptr && options.interrupt->load(); };
-  protocol::LineReader reader(descriptor.number(), kLongestHeader, [] {}, stop);
+  protocol::LineReader reader(
+      descriptor.number(), kLongestHeader, [] {}, stop);
   const protocol::LineReader::Result first = reader.next();
-  if (first.status == protocol::LineReader::Status::end) fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
-  if (first.status == protocol::LineReader::Status::too_long) fail(file, 1, "is longer than 64 MiB; a header is not");
-  if (first.status == protocol::LineReader::Status::interrupted) fail(file, 0, "the check was interrupted before the header");
+  if (first.status == protocol::LineReader::Status::end)
+    fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
+  if (first.status == protocol::LineReader::Status::too_long)
+    fail(file, 1, "is longer than 64 MiB; a header is not");
+  if (first.status == protocol::LineReader::Status::interrupted)
+    fail(file, 0, "the check was interrupted before the header");
   const Head head = read_head(first.text, file, options);
   reader.set_longest_line(kLongestHeader + kStateOfParticle * head.scene.particles.size());
 
@@ -158,7 +171,8 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
     ++report.lines;
     bytes += next.text.size();
     constexpr std::uint64_t kLinesBetweenReports = 4096;
-    if (options.progress && report.lines % kLinesBetweenReports == 0) options.progress({bytes, report.events});
+    if (options.progress && report.lines % kLinesBetweenReports == 0)
+      options.progress({bytes, report.events});
     return true;
   }};
   const TraceFacts facts{head.scene, head.timing, head.minimal};

@@ -36,7 +36,8 @@ class Checker {
 
  private:
   Context<Number> context() {
-    return {model_, tally_, timing_, minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }};
+    return {model_,   tally_, timing_,
+            minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }};
   }
   std::string shown_time(const Instant<Number>& t) const {
     return fmt::format("t = {:.17g}", static_cast<double>(t.hi) + model_.scene.start_time);

@@ -54,11 +54,14 @@ Happening<Number> Checker<Number>::happening_of(const EventLine<Number>& event) 
       happening.moment = Moment{pair.start.hi, pair.start.lo, query, multiple};
     } else if (event.kind == Kind::restitute) {
       const Body<double>* body = model_.groups.with_root(event.i, event.j);
-      happening.moment = known(body != nullptr && !model_.groups.is_parting(body) ? expiry_of(model_, *body) : event.t);
+      happening.moment =
+          known(body != nullptr && !model_.groups.is_parting(body) ? expiry_of(model_, *body) : event.t);
     } else if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) {
-      happening.moment = known(known_time<double>(model_.phase_changes[model_.phases_done].at, model_.precision));
+      happening.moment =
+          known(known_time<double>(model_.phase_changes[model_.phases_done].at, model_.precision));
     } else if (model_.impulses_done < model_.impulses.size()) {
-      happening.moment = known(known_time<double>(model_.impulses[model_.impulses_done].at, model_.precision));
+      happening.moment =
+          known(known_time<double>(model_.impulses[model_.impulses_done].at, model_.precision));
     }
   }
   return happening;
@@ -77,11 +80,13 @@ void Checker<Number>::place(int i, const Instant<Number>& now) {
 }
 
 template <typename Number>
-void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening) {
+void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
+                                    const Happening<Number>& happening) {
   if (i == j) return;
   const int a = std::min(i, j);
   const int b = std::max(i, j);
-  const auto flight = std::tuple(a, b, model_.revisions[static_cast<std::size_t>(a)], model_.revisions[static_cast<std::size_t>(b)]);
+  const auto flight = std::tuple(a, b, model_.revisions[static_cast<std::size_t>(a)],
+                                 model_.revisions[static_cast<std::size_t>(b)]);
   if (!reported_.empty() && reported_.count(flight) != 0) return;
   const Asked asked = judge_pair(context(), a, b, until, happening);
   earliest_held_ = earliest_held_ && asked.earliest;
@@ -94,7 +99,8 @@ void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until, 
 
 /// Everybody whom a particle can have met since the later of the two anchors, and its tethered partners.
 template <typename Number>
-void Checker<Number>::judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening) {
+void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
+                                     const Happening<Number>& happening) {
   for (const int j : neighbours_.near(i)) judge_meeting(i, j, until, happening);
   for (const int j : model_.tethers[static_cast<std::size_t>(i)]) judge_meeting(i, j, until, happening);
   for (const int j : permanent_[static_cast<std::size_t>(i)]) judge_meeting(i, j, until, happening);
@@ -107,8 +113,8 @@ void Checker<Number>::judge_everyone(const Instant<Number>& until, const Happeni
   }
 }
 
-/// Particles that leave their anchors are judged where they were and get new ones. Where that becomes endless (a
-/// long flight through a fine grid) everybody is asked once instead.
+/// Particles that leave their anchors are judged where they were and get new ones. Where that becomes endless
+/// (a long flight through a fine grid) everybody is asked once instead.
 template <typename Number>
 void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happening<Number>& happening) {
   const double end = static_cast<double>(until.hi);
@@ -205,7 +211,8 @@ void Checker<Number>::take(const EventLine<Number>& event) {
 template <typename Number>
 void Checker<Number>::take(const StateLine<Number>& state) {
   if (ended_) {
-    tally_.demand(Rule::end, false, [](Finding& f) { f.message = "a full state behind the end of the trace"; });
+    tally_.demand(Rule::end, false,
+                  [](Finding& f) { f.message = "a full state behind the end of the trace"; });
   }
   const Context<Number> c = context();
   if (minimal_) return;
@@ -251,14 +258,15 @@ void Checker<Number>::take(const EndLine<Number>& end) {
 template <typename Number>
 void Checker<Number>::close() {
   tally_.demand(Rule::end, ended_, [](Finding& f) {
-    f.message = "the trace has no end: the run was killed, or could not write; everything up to here was judged";
+    f.message =
+        "the trace has no end: the run was killed, or could not write; everything up to here was judged";
   });
 }
 
 template <typename Number>
 void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity) {
   const InvolvedParticle<Number>* p = event.of(i);
-  const auto recorded = p == nullptr          ? std::optional<Vec<Number>>()
+  const auto recorded = p == nullptr        ? std::optional<Vec<Number>>()
                         : p->position_after ? p->position_after
                                             : p->position_before;
   W blur(0);
@@ -270,7 +278,8 @@ void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const 
     blur = flight.blur;
     position = carried(flight, event.t, model_.precision, blur);
     if (minimal_) {
-      blur += context().time_error(event.t) * length(widened<W>(flight.velocity)) + W(2) * model_.precision.u * largest(widened<W>(position));
+      blur += context().time_error(event.t) * length(widened<W>(flight.velocity)) +
+              W(2) * model_.precision.u * largest(widened<W>(position));
     }
   }
   model_.set_flight(i, position, velocity, event.t, blur);
@@ -298,7 +307,8 @@ template <typename Number>
 void Checker<Number>::follow_restitution(const EventLine<Number>& event) {
   Body<Number>* body = model_.groups.with_root(event.i, event.j);
   if (body == nullptr) {
-    for (const InvolvedParticle<Number>& p : event.involved) begin_flight(event, p.particle, p.velocity_after);
+    for (const InvolvedParticle<Number>& p : event.involved)
+      begin_flight(event, p.particle, p.velocity_after);
     return;
   }
   const auto node = model_.groups.part(body);
@@ -331,7 +341,8 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     follow_restitution(event);
   } else {
     if (loads) follow_load(event);
-    for (const InvolvedParticle<Number>& p : event.involved) begin_flight(event, p.particle, p.velocity_after);
+    for (const InvolvedParticle<Number>& p : event.involved)
+      begin_flight(event, p.particle, p.velocity_after);
   }
   if (event.formed && *event.formed) {
     model_.tethers[static_cast<std::size_t>(event.i)].insert(event.j);
@@ -344,7 +355,8 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     model_.note_response(event.i, event.j, event.kind != Kind::rebound);
   }
   if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) model_.apply_phase_change();
-  if (event.kind == Kind::scheduled_impulse && model_.impulses_done < model_.impulses.size()) ++model_.impulses_done;
+  if (event.kind == Kind::scheduled_impulse && model_.impulses_done < model_.impulses.size())
+    ++model_.impulses_done;
   model_.now = model_.last_event = event.t;
   for (const int i : changed) place(i, event.t);
 }

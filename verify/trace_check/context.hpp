@@ -24,7 +24,8 @@ struct Context {
   W scale() const { return W(tally.tolerance()); }
   bool certified() const { return timing == Timing::certified; }
 
-  /// What times hi + lo may be off by: two roundings of the sum; of a minimal trace, the rounding of its times.
+  /// What times hi + lo may be off by: two roundings of the sum; of a minimal trace, the rounding of its
+  /// times.
   W time_error(const Instant<Number>& t) const {
     using std::abs;
     const W size = abs(W(t.hi));

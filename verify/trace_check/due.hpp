@@ -39,11 +39,13 @@ struct Quadratic {
 /// Bounds of docs/eq2.md for the stable formulas, 6 u (|r| + L) in distance; docs/check.md derives the one of
 /// the printed formulas, 40 u (|r|² + L²) in squared distance.
 template <typename W>
-Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& u, Timing timing, const W& scale) {
+Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& u, Timing timing,
+                          const W& scale) {
   const W rr = dot(flight.r, flight.r);
   const W distance = length(flight.r);
   const W speed = length(flight.v);
-  Quadratic<W> q{dot(flight.v, flight.v), dot(flight.r, flight.v), (distance - L) * (distance + L), W(0), W(0)};
+  Quadratic<W> q{dot(flight.v, flight.v), dot(flight.r, flight.v), (distance - L) * (distance + L), W(0),
+                 W(0)};
   const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
   q.q_error = scale * (rounding + W(2) * (L + flight.blur) * flight.blur);
   q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed);
@@ -84,8 +86,8 @@ Due<W> inner_due(const Quadratic<W>& q) {
   return due;
 }
 
-/// Tethering: the larger root while separating; where rounding left the pair outside, at once or where it turns;
-/// where it has just been pulled, only by way of the inside.
+/// Tethering: the larger root while separating; where rounding left the pair outside, at once or where it
+/// turns; where it has just been pulled, only by way of the inside.
 template <typename W>
 Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   using std::sqrt;
@@ -103,11 +105,13 @@ Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   due.earliest = may_be_outside && q.h >= -q.h_error && !responded
                      ? zero
                      : std::max(zero, W(larger_root(q.h, early, q.c + q.q_error) - slack));
-  due.latest = separates && is_outside ? zero : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) + slack));
+  due.latest =
+      separates && is_outside ? zero : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) + slack));
   if (!responded) return due;
   due.can_be_none = may_be_outside && q.h >= -q.h_error;
   due.must_be_none = is_outside && separates;
-  if (early == zero) due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a + W(2) * slack));
+  if (early == zero)
+    due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a + W(2) * slack));
   return due;
 }
 

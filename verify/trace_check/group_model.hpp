@@ -18,12 +18,12 @@ template <typename Number>
 struct LoadNode {
   int i, j;
   bool outer;
-  std::array<std::vector<int>, 2> members;           ///< of the sides; empty for an infinite mass
-  std::array<Work<Number>, 2> inverse_mass;          ///< of the two bodies
-  Vec<Number> dp;                                    ///< Δp_AB on side 0, eq. (7), as recorded
-  Vec<Work<Number>> dp_exact;                        ///< the same where nothing is recorded
+  std::array<std::vector<int>, 2> members;   ///< of the sides; empty for an infinite mass
+  std::array<Work<Number>, 2> inverse_mass;  ///< of the two bodies
+  Vec<Number> dp;                            ///< Δp_AB on side 0, eq. (7), as recorded
+  Vec<Work<Number>> dp_exact;                ///< the same where nothing is recorded
   bool recorded = true;
-  std::array<std::unique_ptr<LoadNode>, 2> below;    ///< the loads that made the sides
+  std::array<std::unique_ptr<LoadNode>, 2> below;  ///< the loads that made the sides
 };
 
 template <typename Number>
@@ -72,12 +72,10 @@ class GroupModel {
   }
 
   /// The live body whose expiry comes first, parting ones aside; null if there is none.
-  const Body<Number>* first_to_expire() const {
-    return by_load_.empty() ? nullptr : by_load_.begin()->body;
-  }
+  const Body<Number>* first_to_expire() const { return by_load_.empty() ? nullptr : by_load_.begin()->body; }
 
-  /// Takes the root off the tree over particles i and j (which are its pair) and leaves its sides as bodies of
-  /// their own, parting at once. REQUIRES body(i) or body(j) has such a root.
+  /// Takes the root off the tree over particles i and j (which are its pair) and leaves its sides as bodies
+  /// of their own, parting at once. REQUIRES body(i) or body(j) has such a root.
   std::unique_ptr<Node> part(Body<Number>* body) {
     std::unique_ptr<Node> node = std::move(body->root);
     drop(body);

@@ -2,6 +2,7 @@
 
 namespace tps::check {
 
-template void judge_lines<double>(LineSource&, const TraceFacts&, const Precision<double>&, Tally&, CheckReport&);
+template void judge_lines<double>(LineSource&, const TraceFacts&, const Precision<double>&, Tally&,
+                                  CheckReport&);
 
 }  // namespace tps::check

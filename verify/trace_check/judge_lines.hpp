@@ -11,7 +11,8 @@
 
 namespace tps::check {
 
-/// Gives the next line behind the header; false at the end. A line that was too long is given as its beginning.
+/// Gives the next line behind the header; false at the end. A line that was too long is given as its
+/// beginning.
 struct LineSource {
   struct Text {
     std::string_view text;
@@ -28,8 +29,8 @@ struct TraceFacts {
 
 /// Judges every line. Counts lines, events and states in the report.
 template <typename Number>
-void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision, Tally& tally,
-                 CheckReport& report);
+void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision,
+                 Tally& tally, CheckReport& report);
 
 /// For the scalars that are wider than double, by their names in trace headers.
 void judge_wide_lines(LineSource& source, const TraceFacts& facts, std::string_view scalar, Tally& tally,

@@ -7,7 +7,6 @@
 
 namespace tps::check {
 
-
 template <typename Number>
 class LineJudge {
  public:
@@ -74,8 +73,8 @@ class LineJudge {
 };
 
 template <typename Number>
-void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision, Tally& tally,
-                 CheckReport& report) {
+void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision,
+                 Tally& tally, CheckReport& report) {
   LineJudge<Number> judge(facts, precision, tally, report);
   LineSource::Text line;
   while (source.next(line)) judge.judge(line);

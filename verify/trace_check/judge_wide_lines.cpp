@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "reference/scalars.hpp"
 #include "verify/trace_check/judge_lines_in.hpp"
@@ -13,8 +15,9 @@ Precision<Wide> precision_of() {
   using Limits = std::numeric_limits<Scalar>;
   const Wide half_ulp = ldexp(Wide(1), -Limits::digits);
   const bool hardware = std::is_floating_point_v<Scalar>;
-  return {hardware ? half_ulp : Wide(half_ulp * 3 / 2), ldexp(Wide(1), Limits::min_exponent - Limits::digits),
-          Limits::digits, false};
+  // The smallest numbers of Boost's types are below those of the type that judges them.
+  const int smallest = std::max<int>(Limits::min_exponent, -(1 << 24)) - Limits::digits;
+  return {hardware ? half_ulp : Wide(half_ulp * 3 / 2), ldexp(Wide(1), smallest), Limits::digits, false};
 }
 
 Precision<Wide> precision_named(std::string_view scalar) {

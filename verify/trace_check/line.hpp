@@ -16,8 +16,8 @@ namespace tps::check {
 enum class Kind { rebound, retract, revolve, broken, restitute, scheduled_impulse, phase_begin, phase_end };
 
 constexpr std::string_view name(Kind kind) {
-  constexpr std::string_view names[] = {"rebound",           "retract",     "revolve",  "break", "restitute",
-                                        "scheduled_impulse", "phase_begin", "phase_end"};
+  constexpr std::string_view names[] = {"rebound",   "retract",           "revolve",     "break",
+                                        "restitute", "scheduled_impulse", "phase_begin", "phase_end"};
   return names[static_cast<int>(kind)];
 }
 constexpr bool is_collision(Kind kind) {

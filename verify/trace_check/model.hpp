@@ -1,4 +1,5 @@
-// What the check knows of a run at a moment, from the lines of the trace so far. It follows; it never simulates.
+// What the check knows of a run at a moment, from the lines of the trace so far. It follows; it never
+// simulates.
 #pragma once
 
 #include <map>
@@ -19,6 +20,21 @@ struct Flight {
   Instant<Number> since;
   Work<Number> blur{0};  ///< how far the position may be off: where the trace does not record it
 };
+
+template <typename Number>
+Instant<double> rough(const Instant<Number>& t) {
+  const double hi = static_cast<double>(t.hi);
+  return {hi, static_cast<double>(Number(t.hi - Number(hi)) + t.lo)};
+}
+
+/// The same in doubles, for a first look.
+template <typename Number>
+Flight<double> rough(const Flight<Number>& f) {
+  const auto nearest = [](const Vec<Number>& x) {
+    return Vec<double>{{static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])}};
+  };
+  return {nearest(f.position), nearest(f.velocity), rough(f.since), static_cast<long double>(f.blur)};
+}
 
 /// A phase that begins or ends.
 struct PhaseChange {
@@ -42,8 +58,8 @@ class Model {
   std::vector<W> inverse_masses;         ///< 0 for an infinite mass
   std::vector<std::set<int>> tethers;    ///< formed or listed, by particle
   GroupModel<Number> groups;
-  std::vector<PhaseChange> phase_changes;        ///< in their order
-  std::vector<ScheduledImpulse> impulses;        ///< in their order
+  std::vector<PhaseChange> phase_changes;  ///< in their order
+  std::vector<ScheduledImpulse> impulses;  ///< in their order
   std::size_t phases_done = 0, impulses_done = 0;
   std::map<std::array<int, 3>, std::uint32_t> draws;
   std::map<std::string, std::uint64_t> kinds;
@@ -55,6 +71,13 @@ class Model {
   std::int32_t id(int i) const { return scene.particles[at(i)].id; }
   bool fixed(int i) const { return inverse_masses[at(i)] == W(0); }
   const Flight<Number>& flight(int i) const { return flights[at(i)]; }
+  const Flight<double>& rough_flight(int i) const {
+    if constexpr (std::is_same_v<Number, double>) {
+      return flights[at(i)];
+    } else {
+      return rough_flights_[at(i)];
+    }
+  }
   bool tethered(int i, int j) const {
     const PairRules<Number>& pair = rules.of(i, j);
     return pair.can_tether && (pair.permanent || tethers[at(i)].count(j) != 0);
@@ -83,7 +106,9 @@ class Model {
   }
 
   /// Pairs that have responded at a limit and cannot be there again (semantics §1).
-  bool responded(int i, int j, bool outer) const { return has_responded(i, j, outer) && has_responded(j, i, outer); }
+  bool responded(int i, int j, bool outer) const {
+    return has_responded(i, j, outer) && has_responded(j, i, outer);
+  }
   void note_response(int i, int j, bool outer) {
     if (!fixed(i)) responded_[at(i)].insert({j, outer});
     if (!fixed(j)) responded_[at(j)].insert({i, outer});
@@ -98,6 +123,7 @@ class Model {
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
     f = {position, velocity, t, blur};
+    if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
     ++revisions[at(i)];
   }
 
@@ -106,8 +132,11 @@ class Model {
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
  private:
-  bool has_responded(int i, int j, bool outer) const { return fixed(i) || responded_[at(i)].count({j, outer}) != 0; }
+  bool has_responded(int i, int j, bool outer) const {
+    return fixed(i) || responded_[at(i)].count({j, outer}) != 0;
+  }
 
+  std::vector<Flight<double>> rough_flights_;  ///< where Number is not double
   std::vector<std::set<std::pair<int, bool>>> responded_;
   std::vector<bool> phase_is_open_;
 };
@@ -124,11 +153,12 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
       responded_(scene_in.particles.size()),
       phase_is_open_(scene_in.phases.size(), false) {
   const auto lifted = [&](const Coordinates& x) {
-    return Vec<Number>{{stored<Number>(x[0], precision), stored<Number>(x[1], precision),
-                        stored<Number>(x[2], precision)}};
+    return Vec<Number>{
+        {stored<Number>(x[0], precision), stored<Number>(x[1], precision), stored<Number>(x[2], precision)}};
   };
   for (const Particle& p : scene.particles) {
     flights.push_back({lifted(p.position), lifted(p.velocity), {}, W(0)});
+    if constexpr (!std::is_same_v<Number, double>) rough_flights_.push_back(rough(flights.back()));
     const double mass = scene.species[at(p.species)].mass;
     inverse_masses.push_back(std::isinf(mass) ? W(0) : W(1) / W(stored<Number>(mass, precision)));
   }
@@ -144,9 +174,10 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   std::sort(phase_changes.begin(), phase_changes.end(), [](const PhaseChange& a, const PhaseChange& b) {
     return std::tie(a.at, a.opens, a.phase) < std::tie(b.at, b.opens, b.phase);
   });
-  std::stable_sort(impulses.begin(), impulses.end(), [](const ScheduledImpulse& a, const ScheduledImpulse& b) {
-    return std::tie(a.at, a.particle) < std::tie(b.at, b.particle);
-  });
+  std::stable_sort(impulses.begin(), impulses.end(),
+                   [](const ScheduledImpulse& a, const ScheduledImpulse& b) {
+                     return std::tie(a.at, a.particle) < std::tie(b.at, b.particle);
+                   });
 }
 
 template <typename Number>
@@ -160,11 +191,13 @@ void Model<Number>::apply_phase_change() {
     BreakRule breaks = law.tethering->breaks;
     for (std::size_t n = 0; n < scene.phases.size(); ++n) {
       const Phase& phase = scene.phases[n];
-      if (!phase_is_open_[n] || phase.species_a != law.species_a || phase.species_b != law.species_b) continue;
+      if (!phase_is_open_[n] || phase.species_a != law.species_a || phase.species_b != law.species_b)
+        continue;
       if (phase.form) form = *phase.form;
       if (phase.breaks) breaks = *phase.breaks;
     }
-    for (PairRules<Number>* pair : {&rules.at(law.species_a, law.species_b), &rules.at(law.species_b, law.species_a)}) {
+    for (PairRules<Number>* pair :
+         {&rules.at(law.species_a, law.species_b), &rules.at(law.species_b, law.species_a)}) {
       pair->form = form;
       pair->breaks = breaks;
     }

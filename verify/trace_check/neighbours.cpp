@@ -19,7 +19,8 @@ constexpr double kLastCell = 1e9;
 double largest_distance(const Scene& scene, const std::vector<bool>& species) {
   double result = 0;
   for (const PairLaw& law : scene.pairs) {
-    const bool both = species[static_cast<std::size_t>(law.species_a)] && species[static_cast<std::size_t>(law.species_b)];
+    const bool both =
+        species[static_cast<std::size_t>(law.species_a)] && species[static_cast<std::size_t>(law.species_b)];
     if (both && law.blocking) result = std::max(result, law.blocking->distance);
   }
   return result;
@@ -115,7 +116,8 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
   double speed_squared = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double place = std::floor(position[k] / cell_);
-    anchor.cell[k] = static_cast<std::int32_t>(std::clamp(std::isnan(place) ? 0 : place, -kLastCell, kLastCell));
+    anchor.cell[k] =
+        static_cast<std::int32_t>(std::clamp(std::isnan(place) ? 0 : place, -kLastCell, kLastCell));
     speed_squared += velocity[k] * velocity[k];
   }
   anchor.placed = true;
@@ -128,7 +130,8 @@ std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
   while (!expiries_.empty() && expiries_.top().t <= t) {
     const Due due = expiries_.top();
     expiries_.pop();
-    if (due.number == anchors_[static_cast<std::size_t>(due.particle)].number) return Expiry{due.t, due.particle};
+    if (due.number == anchors_[static_cast<std::size_t>(due.particle)].number)
+      return Expiry{due.t, due.particle};
   }
   return std::nullopt;
 }

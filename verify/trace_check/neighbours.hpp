@@ -29,8 +29,8 @@ class Neighbours {
   /// The anchor that expires first, if any does at or before t.
   std::optional<Expiry> expiry_until(double t);
 
-  /// Every other particle that may be near particle i: those of the cells around, and those that are never in a
-  /// cell.
+  /// Every other particle that may be near particle i: those of the cells around, and those that are never in
+  /// a cell.
   const std::vector<int>& near(int i);
 
  private:

@@ -7,8 +7,8 @@
 
 namespace tps::check {
 
-/// What a stored number is judged in: float and double in long double, whose roundings are 2^-11 of a double's
-/// (docs/check.md, "Bounds"); wider scalars in one type that is wider than all of them.
+/// What a stored number is judged in: float and double in long double, whose roundings are 2^-11 of a
+/// double's (docs/check.md, "Bounds"); wider scalars in one type that is wider than all of them.
 template <typename Number>
 struct WorkOf {
   using type = Number;

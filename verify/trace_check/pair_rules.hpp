@@ -12,8 +12,8 @@ namespace tps::check {
 
 /// The number that a run of the trace's scalar computes with where the scene has x: floats round it once.
 ///
-/// Out of line: g++ 12.2 at -O2 inlines `is_float ? double(float(x)) : x` for several x at once and forgets the
-/// rounding of some (its vectoriser; at -O1 it does not).
+/// Out of line: g++ 12.2 at -O2 inlines `is_float ? double(float(x)) : x` for several x at once and forgets
+/// the rounding of some (its vectoriser; at -O1 it does not).
 template <typename Number>
 [[gnu::noinline]] Number stored(double x, const Precision<Number>& precision) {
   if (precision.is_float) return Number(static_cast<double>(static_cast<float>(x)));
@@ -61,7 +61,8 @@ class RuleTable {
   }
 
  private:
-  static void add_tethering(PairRules<Number>& rules, const TetheringLaw& law, const Precision<Number>& precision) {
+  static void add_tethering(PairRules<Number>& rules, const TetheringLaw& law,
+                            const Precision<Number>& precision) {
     using std::pow;
     using std::tan;
     using W = Work<Number>;

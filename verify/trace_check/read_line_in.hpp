@@ -21,8 +21,9 @@ namespace dom = simdjson::dom;
 }
 
 inline const std::vector<std::string>& event_keys() {
-  static const std::vector<std::string> keys = {"k",    "t",  "dt",        "kind",   "i",    "j",      "phase",
-                                                "pre",  "post", "dp", "dp_stored", "tether", "draw", "members"};
+  static const std::vector<std::string> keys = {"k",         "t",      "dt",   "kind",   "i",
+                                                "j",         "phase",  "pre",  "post",   "dp",
+                                                "dp_stored", "tether", "draw", "members"};
   return keys;
 }
 
@@ -39,7 +40,8 @@ class LineReading<Number>::Json {
     dom::element root;
     const simdjson::error_code error = parser_.parse(text.data(), text.size()).get(root);
     if (error != simdjson::SUCCESS) {
-      problem("", fmt::format("is not JSON ({}); a trace has one object a line", simdjson::error_message(error)));
+      problem("",
+              fmt::format("is not JSON ({}); a trace has one object a line", simdjson::error_message(error)));
     }
     dom::object line;
     if (root.get(line) != simdjson::SUCCESS) problem("", "is not an object; a trace has one object a line");
@@ -50,7 +52,9 @@ class LineReading<Number>::Json {
   }
 
  private:
-  static std::string path(const std::string& at, std::string_view key) { return fmt::format("{}/{}", at, key); }
+  static std::string path(const std::string& at, std::string_view key) {
+    return fmt::format("{}/{}", at, key);
+  }
 
   static std::string_view text(dom::element value, const std::string& at) {
     std::string_view result;
@@ -71,7 +75,8 @@ class LineReading<Number>::Json {
     if (value.get(hex) != simdjson::SUCCESS) problem(at, kNumberForm);
     const std::optional<Number> result = number_of<Number>(hex);
     if (!result || !fits(hex, *result)) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
-    if (!(*result - *result == Number(0))) problem(at, "is infinite; positions, velocities and impulses are finite");
+    if (!(*result - *result == Number(0)))
+      problem(at, "is infinite; positions, velocities and impulses are finite");
     return *result;
   }
 
@@ -110,8 +115,10 @@ class LineReading<Number>::Json {
   }
 
   int particle(std::int64_t id, const std::string& at) const {
-    const auto found = id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
-    if (found == index_of_.end()) problem(at, fmt::format("names particle {}, which the scene does not have", id));
+    const auto found =
+        id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
+    if (found == index_of_.end())
+      problem(at, fmt::format("names particle {}, which the scene does not have", id));
     return found->second;
   }
   int particle(dom::element value, const std::string& at) const {
@@ -132,9 +139,10 @@ class LineReading<Number>::Json {
     for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
       if (name(static_cast<Kind>(n)) == text) return static_cast<Kind>(n);
     }
-    problem("/kind", fmt::format("\"{}\" is not a kind of event; allowed are rebound, retract, revolve, break, "
-                                 "restitute, scheduled_impulse, phase_begin, phase_end",
-                                 text.substr(0, 60)));
+    problem("/kind",
+            fmt::format("\"{}\" is not a kind of event; allowed are rebound, retract, revolve, break, "
+                        "restitute, scheduled_impulse, phase_begin, phase_end",
+                        text.substr(0, 60)));
   }
 
   EventLine<Number> event(const dom::object& line) {
@@ -151,7 +159,8 @@ class LineReading<Number>::Json {
       if (key == "k") event.k = count(value, at);
       if (key == "t") {
         event.t = instant(value, at);
-        event.t_text = value.is_string() ? std::string(text(value, at)) : fmt::format("{}", simdjson::minify(value));
+        event.t_text =
+            value.is_string() ? std::string(text(value, at)) : fmt::format("{}", simdjson::minify(value));
         has_t = true;
       }
       if (key == "dt") event.dt = number(value, at);
@@ -161,7 +170,8 @@ class LineReading<Number>::Json {
       }
       if (key == "i") event.i = particle(value, at);
       if (key == "j") event.j = particle(value, at);
-      if (key == "phase") event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
+      if (key == "phase")
+        event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
       if (key == "dp") event.dp = vector(value, at);
       if (key == "dp_stored") event.dp_stored = vector(value, at);
       if (key == "tether") event.formed = formed(text(value, at));
@@ -175,7 +185,8 @@ class LineReading<Number>::Json {
     return event;
   }
 
-  [[noreturn]] static void unknown_key(const std::string& at, std::string_view key, const std::vector<std::string>& known) {
+  [[noreturn]] static void unknown_key(const std::string& at, std::string_view key,
+                                       const std::vector<std::string>& known) {
     problem(at, fmt::format("is not known here; did you mean \"{}\"?", nearest_name(key, known)));
   }
 
@@ -239,12 +250,16 @@ class LineReading<Number>::Json {
       if (p->velocity_before || p->position_before) problem(at, "stands twice in the line");
       dom::element velocity, position;
       check_keys(value, at);
-      if (value["velocity"].get(velocity) == simdjson::SUCCESS) p->velocity_before = vector(velocity, path(at, "velocity"));
-      if (value["position"].get(position) == simdjson::SUCCESS) p->position_before = vector(position, path(at, "position"));
-      if (!minimal_ && (!p->velocity_before || !p->position_before)) problem(at, "lacks \"position\" or \"velocity\"");
+      if (value["velocity"].get(velocity) == simdjson::SUCCESS)
+        p->velocity_before = vector(velocity, path(at, "velocity"));
+      if (value["position"].get(position) == simdjson::SUCCESS)
+        p->position_before = vector(position, path(at, "position"));
+      if (!minimal_ && (!p->velocity_before || !p->position_before))
+        problem(at, "lacks \"position\" or \"velocity\"");
       ++found;
     }
-    if (!minimal_ && found != event.involved.size()) problem("/pre", "does not have the particles of \"post\"");
+    if (!minimal_ && found != event.involved.size())
+      problem("/pre", "does not have the particles of \"post\"");
   }
 
   static void check_keys(dom::element value, const std::string& at) {
@@ -286,7 +301,8 @@ class LineReading<Number>::Json {
       need(!e.members.empty() || !e.dp_stored, "members", e.kind);
     }
     forbid(e.dp.has_value() && e.kind == Kind::broken, "dp", e.kind);
-    if (e.kind == Kind::broken && e.formed.value_or(!minimal_)) problem("/tether", "of a break is \"broken\"");
+    if (e.kind == Kind::broken && e.formed.value_or(!minimal_))
+      problem("/tether", "of a break is \"broken\"");
     forbid(e.dp_stored && (e.kind == Kind::broken || e.kind >= Kind::restitute), "dp_stored", e.kind);
     forbid(!e.members.empty() && (e.kind == Kind::broken || e.kind >= Kind::restitute), "members", e.kind);
     forbid(e.draw && e.kind != Kind::rebound && e.kind != Kind::retract && e.kind != Kind::revolve &&
@@ -298,8 +314,8 @@ class LineReading<Number>::Json {
 
   StateLine<Number> state(const dom::object& line, std::string_view text) const {
     static const std::vector<std::string> keys = {
-        "state",  "t",     "final",    "now",    "last_event", "progress_event", "particles",   "tethers",
-        "responded", "groups", "draws", "progress", "counts", "quantities", "observations"};
+        "state",     "t",      "final", "now",      "last_event", "progress_event", "particles",   "tethers",
+        "responded", "groups", "draws", "progress", "counts",     "quantities",     "observations"};
     std::set<std::string_view> seen;
     for (const auto [key, ignored] : line) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) unknown_key(path("", key), key, keys);
@@ -318,7 +334,8 @@ class LineReading<Number>::Json {
 
   EndLine<Number> end(const dom::object& line) const {
     static const std::vector<std::string> keys = {"end", "events", "t"};
-    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled", "interrupted"};
+    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled",
+                                                     "interrupted"};
     for (const auto [key, ignored] : line) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) unknown_key(path("", key), key, keys);
     }
@@ -329,7 +346,8 @@ class LineReading<Number>::Json {
     }
     EndLine<Number> end{std::string(text(reason, "/end")), count(events, "/events"), instant(t, "/t")};
     if (std::find(reasons.begin(), reasons.end(), end.reason) == reasons.end()) {
-      problem("/end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60), fmt::join(reasons, ", ")));
+      problem("/end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60),
+                                  fmt::join(reasons, ", ")));
     }
     return end;
   }

@@ -54,14 +54,18 @@ double mass_of(const W& inverse) {
 template <typename Number>
 Replay replay_of_time(const PairFlight<Number>& pair, bool outer, const Work<Number>& L, int dimension) {
   ReplayInput in(dimension);
-  in.vector("u_A", pair.u_i).vector("u_B", pair.u_j).vector("v_A", pair.v_i).vector("v_B", pair.v_j).number("L", L);
+  in.vector("u_A", pair.u_i)
+      .vector("u_B", pair.u_j)
+      .vector("v_A", pair.v_i)
+      .vector("v_B", pair.v_j)
+      .number("L", L);
   return {outer ? "tether_time" : "block_time", in.json(), {}};
 }
 
 /// Positions and velocities of the pair, masses of the bodies.
 template <typename Number>
-ReplayInput replay_of_bodies(const BodiesNow<Number>& b, const Vec<Work<Number>>& u_i, const Vec<Work<Number>>& u_j,
-                             int dimension) {
+ReplayInput replay_of_bodies(const BodiesNow<Number>& b, const Vec<Work<Number>>& u_i,
+                             const Vec<Work<Number>>& u_j, int dimension) {
   ReplayInput in(dimension);
   in.vector("u_A", u_i).vector("u_B", u_j).vector("v_A", b.v_i).vector("v_B", b.v_j);
   in.number("m_A", mass_of(b.inverse_i)).number("m_B", mass_of(b.inverse_j));

@@ -25,17 +25,19 @@ bool CheckReport::inconclusive() const {
   return conforming() && undecided() > std::max<std::uint64_t>(2, events / 100);
 }
 
-/// The mean is the least-squares estimate of b in y = b x + rounding. Six standard errors away from zero and beyond a
-/// twentieth of an ulp, of 10^4 residuals at least, it is a bias: chance has that once in 10^9 sums.
+/// The mean is the least-squares estimate of b in y = b x + rounding. Five standard errors away from zero and
+/// beyond a twentieth of an ulp, of 10^4 residuals at least, it is a bias: chance has that once in two
+/// million sums.
 void Tally::close_sums() {
   constexpr std::uint64_t kEnough = 10'000;
-  constexpr double kErrors = 6;
+  constexpr double kErrors = 5;
   constexpr double kSmallest = 0.05;
   bool judged = false;
   for (const auto& [quantity, m] : moments_) {
     if (m.xx == 0) continue;
     const double mean = m.xy / m.xx;
-    const double variance = std::max(0.0, m.yy - mean * m.xy) / static_cast<double>(std::max<std::uint64_t>(1, m.count - 1));
+    const double variance =
+        std::max(0.0, m.yy - mean * m.xy) / static_cast<double>(std::max<std::uint64_t>(1, m.count - 1));
     const double error = std::sqrt(variance / m.xx);
     report_.sums.push_back({quantity, m.count, mean, error});
     if (m.count < kEnough) continue;

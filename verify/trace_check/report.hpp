@@ -16,7 +16,7 @@ enum class Outcome { violated, undecided };
 /// A step with inputs that `tps eval` and `tps vectors` can replay: a case of one operation.
 struct Replay {
   std::string op;
-  std::string in;    ///< the operation's "in", as JSON
+  std::string in;     ///< the operation's "in", as JSON
   std::string claim;  ///< what the trace says instead
 };
 
@@ -59,7 +59,7 @@ struct CheckReport {
   bool minimal = false;  ///< velocities only: positions are the checker's own
   std::uint64_t lines = 0, events = 0, states = 0;
   std::size_t particles = 0;
-  std::string end;          ///< the reason the trace gives; empty if it gives none
+  std::string end;           ///< the reason the trace gives; empty if it gives none
   bool interrupted = false;  ///< the check was, before the trace's end
   double tolerance = 1;
   double seconds = 0;
@@ -73,8 +73,8 @@ struct CheckReport {
   std::uint64_t undecided() const;
   /// Nothing is violated.
   bool conforming() const { return violated() == 0; }
-  /// Nothing is violated, but too much is left open to say so: more undecided steps than one in a hundred, and
-  /// more than two.
+  /// Nothing is violated, but too much is left open to say so: more undecided steps than one in a hundred,
+  /// and more than two.
   bool inconclusive() const;
 };
 

@@ -14,7 +14,8 @@ Json rule_json(const RuleResult& rule) {
               {"passed", rule.passed},
               {"violated", rule.violated},
               {"undecided", rule.undecided}};
-  if (rule.worst_allowed > 0) result["largest_share"] = {{"off_ulps", rule.worst_off}, {"allowed_ulps", rule.worst_allowed}};
+  if (rule.worst_allowed > 0)
+    result["largest_share"] = {{"off_ulps", rule.worst_off}, {"allowed_ulps", rule.worst_allowed}};
   if (!rule.not_judged.empty()) result["not_judged"] = rule.not_judged;
   return result;
 }
@@ -44,7 +45,8 @@ std::string report_json(const CheckReport& r) {
   for (const Finding& finding : r.findings) findings.push_back(finding_json(finding));
   Json sums = Json::array();
   for (const ResidualSum& s : r.sums) {
-    sums.push_back({{"of", s.of}, {"count", s.count}, {"mean_ulps", s.mean}, {"standard_error_ulps", s.standard_error}});
+    sums.push_back(
+        {{"of", s.of}, {"count", s.count}, {"mean_ulps", s.mean}, {"standard_error_ulps", s.standard_error}});
   }
   const Json result{{"trace", r.file},
                     {"title", r.title},

@@ -11,12 +11,18 @@ namespace {
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '"') result += "&quot;";
-    else if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') result += '?';
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+      result += '?';
+    else
+      result += c;
   }
   return result;
 }
@@ -46,15 +52,17 @@ std::string report_junit(const CheckReport& r) {
                      escaped(details_of(r, rule.rule, Outcome::violated)));
     } else if (rule.passed == 0 || rule.undecided > 0) {
       ++skipped;
-      const std::string why = rule.undecided > 0 ? fmt::format("{} undecided", rule.undecided)
-                              : rule.not_judged.empty() ? std::string("nothing of the kind happened") : rule.not_judged;
+      const std::string why = rule.undecided > 0        ? fmt::format("{} undecided", rule.undecided)
+                              : rule.not_judged.empty() ? std::string("nothing of the kind happened")
+                                                        : rule.not_judged;
       fmt::format_to(out, "><skipped message=\"{}\"/></testcase>\n", escaped(why));
     } else {
       cases += "/>\n";
     }
   }
   return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" "
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "skipped=\"{}\" "
       "time=\"{:.3f}\">\n{}</testsuite>\n",
       escaped(r.file), kRules, failures, skipped, r.seconds, cases);
 }

@@ -28,8 +28,8 @@ class Tally {
   double tolerance() const { return tolerance_; }
   void pass(Rule rule) { ++of(rule).passed; }
 
-  /// Judges a residual of `off` ulps by a bound of `allowed` ulps, times the tolerance; `describe` completes the
-  /// finding where it is beyond. @return whether it is within.
+  /// Judges a residual of `off` ulps by a bound of `allowed` ulps, times the tolerance; `describe` completes
+  /// the finding where it is beyond. @return whether it is within.
   template <typename Describe>
   bool within(Rule rule, double off, double allowed, Describe describe) {
     const double bound = allowed * tolerance_;

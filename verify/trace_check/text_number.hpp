@@ -12,7 +12,8 @@
 
 namespace tps::check {
 
-/// The number that a text spells, or nothing where it is no number of that width. Infinities are numbers here.
+/// The number that a text spells, or nothing where it is no number of that width. Infinities are numbers
+/// here.
 template <typename Number>
 std::optional<Number> number_of(std::string_view text) {
   return from_hex<Number>(text);

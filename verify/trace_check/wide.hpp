@@ -6,7 +6,7 @@
 namespace tps::check {
 
 /// 833 bits: hi + lo of mp100, whose numbers have 334, fits exactly.
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<250>,
-                                           boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<250>, boost::multiprecision::et_off>;
 
 }  // namespace tps::check

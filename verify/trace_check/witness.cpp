@@ -55,7 +55,8 @@ std::string witness_cases(const CheckReport& report) {
       text += case_of(report, f);
       done.insert(f.rule);
     } catch (const std::exception&) {
-      // Numbers that a known answer cannot have, such as an underflow to zero of a wide scalar's: the next one may.
+      // Numbers that a known answer cannot have, such as an underflow to zero of a wide scalar's: the next
+      // one may.
     }
   }
   return text;

@@ -24,8 +24,9 @@ void judge_bystanders(const Context<Number>& c, const EventLine<Number>& event) 
     if (p.position_before && p.position_after) {
       c.tally.demand(Rule::bystanders, *p.position_before == *p.position_after, [&](Finding& f) {
         about(f);
-        f.message = fmt::format("particle {} is moved by the event from {} to {}; impulses change velocities only",
-                                id, shown(*p.position_before, dimension), shown(*p.position_after, dimension));
+        f.message =
+            fmt::format("particle {} is moved by the event from {} to {}; impulses change velocities only",
+                        id, shown(*p.position_before, dimension), shown(*p.position_after, dimension));
       });
     }
     if (model.fixed(p.particle)) {

@@ -24,11 +24,13 @@ std::optional<LimitAsked<Work<Number>>> limit_of(const Model<Number>& model, con
 namespace detail {
 
 /// Certified timing: the time is the exact root, rounded once; a clock that has passed it stays.
-inline bool at_certified_time(const Context<double>& c, const EventLine<double>& event, const PairFlight<double>& pair,
-                              const LimitAsked<long double>& asked, const TimingQuery& query) {
+inline bool at_certified_time(const Context<double>& c, const EventLine<double>& event,
+                              const PairFlight<double>& pair, const LimitAsked<long double>& asked,
+                              const TimingQuery& query) {
   using W = long double;
   const CollisionTime<double> answer = c.exact.answer(query);
-  const bool counts = !asked.responded || answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
+  const bool counts =
+      !asked.responded || answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
   if (!answer.t || !counts) return false;
   const W t = W(*answer.t) * (asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1);
   const W dt = elapsed(pair.start, event.t);
@@ -38,8 +40,8 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
   return clock_had_passed && dt - t <= W(2.5) * c.u() * std::fabs(W(event.t.hi)) + rounding;
 }
 
-/// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected: that of
-/// the time and that of the distance.
+/// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected:
+/// that of the time and that of the distance.
 template <typename Number>
 void add_time_residual(const Context<Number>& c, const Quadratic<Work<Number>>& q, bool outer,
                        const Work<Number>& dt) {
@@ -72,8 +74,9 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   if (!limit || model.groups.together(event.i, event.j)) return;
   if (!outer && model.responded(event.i, event.j, false)) {
     c.tally.demand(Rule::contact, false, [&](Finding& f) {
-      f.message = fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
-                              c.pair(event.i, event.j));
+      f.message =
+          fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
+                      c.pair(event.i, event.j));
       f.equation = "(2)";
     });
     return;
@@ -85,10 +88,10 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   const W distance = length(relative.r + dt * relative.v);
   const auto describe = [&](Finding& f) {
     const Due<W> expected = due(q, *limit);
-    const std::string when = expected.must_be_none
-                                 ? std::string("never gets there")
-                                 : fmt::format("is due there between {} and {}", shown(expected.earliest),
-                                               shown(expected.latest));
+    const std::string when =
+        expected.must_be_none
+            ? std::string("never gets there")
+            : fmt::format("is due there between {} and {}", shown(expected.earliest), shown(expected.latest));
     f.message = fmt::format("{} is at distance {} after {}, {} its {} limit {}; on its straight lines it {}",
                             c.pair(event.i, event.j), shown(distance), shown(dt),
                             distance > limit->L ? "beyond" : "within", which, shown(limit->L), when);
@@ -105,15 +108,17 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   }
   const Due<W> expected = due(q, *limit);
   const W slack = c.time_error(event.t);
-  const bool in_time = !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
+  const bool in_time =
+      !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
   const W ulps = W(6) * abs(q.at(dt)) / q.q_error;
   const bool at_root = ulps <= W(6);
-  c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9), 6, describe);
+  c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9),
+                 6, describe);
   detail::add_time_residual(c, q, outer, dt);
 }
 
-/// At an inner limit a pair approaches, at an outer one it separates; a vanishing v_n has the sign of rounding,
-/// that of the positions turns the axis.
+/// At an inner limit a pair approaches, at an outer one it separates; a vanishing v_n has the sign of
+/// rounding, that of the positions turns the axis.
 template <typename Number>
 void judge_approach(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
   using W = Work<Number>;
@@ -121,7 +126,8 @@ void judge_approach(const Context<Number>& c, const EventLine<Number>& event, co
   const W v_n = b.v_n();
   const W wrong_way = outer ? W(-v_n) : v_n;
   const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
-  const W unit = length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) + c.model.precision.smallest;
+  const W unit = length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) +
+                 c.model.precision.smallest;
   c.tally.within(Rule::contact, std::max(0.0, as_double(W(wrong_way / unit))), 8, [&](Finding& f) {
     f.message = fmt::format("{} {} at its {} limit, v_n = {}", c.pair(b.i, b.j),
                             outer ? "approaches" : "separates", outer ? "outer" : "inner", shown(v_n));

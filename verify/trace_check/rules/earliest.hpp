@@ -7,7 +7,8 @@
 
 namespace tps::check {
 
-/// The event by which a pair is asked: when it happens and, for certified order, which exact moment that rounds.
+/// The event by which a pair is asked: when it happens and, for certified order, which exact moment that
+/// rounds.
 template <typename Number>
 struct Happening {
   Instant<Number> t;
@@ -24,10 +25,12 @@ enum class Waiting { not_due, undecided, overdue, lost_a_tie };
 
 namespace detail {
 
-/// Exact: before the event that happens, or at exactly its moment with smaller ids. REQUIRES happening.moment.
+/// Exact: before the event that happens, or at exactly its moment with smaller ids. REQUIRES
+/// happening.moment.
 inline Waiting certified_waiting(const Context<double>& c, const PairFlight<double>& pair, int i, int j,
                                  const LimitAsked<long double>& asked, const Happening<double>& happening) {
-  Moment moment{pair.start.hi, pair.start.lo, timing_query(pair, asked.outer, static_cast<double>(asked.L)), 1};
+  Moment moment{pair.start.hi, pair.start.lo, timing_query(pair, asked.outer, static_cast<double>(asked.L)),
+                1};
   if (!valid(*moment.query)) return Waiting::not_due;
   const TimingVerdict verdict = c.exact.answer(*moment.query).verdict;
   if (!occurs(verdict)) return Waiting::not_due;
@@ -45,11 +48,13 @@ inline Waiting certified_waiting(const Context<double>& c, const PairFlight<doub
 /// that its rounding need not see.
 template <typename Number>
 Waiting computed_waiting(const Context<Number>& c, const Quadratic<Work<Number>>& q,
-                         const LimitAsked<Work<Number>>& asked, const Work<Number>& dt, const Work<Number>& slack) {
+                         const LimitAsked<Work<Number>>& asked, const Work<Number>& dt,
+                         const Work<Number>& slack) {
   using std::sqrt;
   using W = Work<Number>;
   const Due<W> expected = due(q, asked);
-  if (!expected.can_be_none) return expected.latest + slack * c.scale() < dt ? Waiting::overdue : Waiting::not_due;
+  if (!expected.can_be_none)
+    return expected.latest + slack * c.scale() < dt ? Waiting::overdue : Waiting::not_due;
   if (asked.outer || q.h >= W(0)) return Waiting::not_due;
   const W D = q.discriminant();
   const W exactly = q.c <= W(0) ? W(0) : D > W(0) ? W(q.c / (sqrt(D) - q.h)) : W(dt + W(1));
@@ -58,8 +63,8 @@ Waiting computed_waiting(const Context<Number>& c, const Quadratic<Work<Number>>
 
 template <typename Number>
 Waiting waiting(const Context<Number>& c, const PairFlight<Number>& pair, int i, int j,
-                const Quadratic<Work<Number>>& q, const LimitAsked<Work<Number>>& asked, const Work<Number>& dt,
-                const Happening<Number>& happening) {
+                const Quadratic<Work<Number>>& q, const LimitAsked<Work<Number>>& asked,
+                const Work<Number>& dt, const Happening<Number>& happening) {
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified() && happening.moment) return certified_waiting(c, pair, i, j, asked, happening);
   }
@@ -105,23 +110,26 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
     c.tally.demand(Rule::earliest, false, [&](Finding& f) {
       about(f);
       const Due<W> expected = due(q, asked);
-      f.message = state == Waiting::lost_a_tie
-                      ? fmt::format("{} reaches its {} limit at exactly this moment and has the smaller ids",
-                                    c.pair(i, j), which)
-                      : fmt::format("{} was due at its {} limit {} before, {} after {}", c.pair(i, j), which,
-                                    shown(W(dt - expected.latest)), shown(expected.latest), c.shown_time(pair.start));
+      f.message =
+          state == Waiting::lost_a_tie
+              ? fmt::format("{} reaches its {} limit at exactly this moment and has the smaller ids",
+                            c.pair(i, j), which)
+              : fmt::format("{} was due at its {} limit {} before, {} after {}", c.pair(i, j), which,
+                            shown(W(dt - expected.latest)), shown(expected.latest), c.shown_time(pair.start));
     });
   }
   if (state == Waiting::undecided) {
     result.earliest = false;
     c.tally.undecided(Rule::earliest, [&](Finding& f) {
       about(f);
-      f.message = fmt::format("{} grazes its {} limit by less than the rounding of the trace's scalar", c.pair(i, j), which);
+      f.message = fmt::format("{} grazes its {} limit by less than the rounding of the trace's scalar",
+                              c.pair(i, j), which);
     });
   }
   // A pair that has responded may creep: its relative velocity is known to rounding only.
   const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
-  const W unit = q.q_error / W(6) + (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
+  const W unit =
+      q.q_error / W(6) + (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
   const W excess = detail::excess_of(q, asked.outer, dt);
   if (excess > W(6) * unit && !happening.forever) {
     result.bounds = false;
@@ -137,12 +145,13 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
 
 namespace detail {
 
-/// Whether plain doubles see that nothing can have happened: the pair stayed clear of both limits by more than
-/// they can err.
-inline bool is_clear(const Model<double>& model, int i, int j, const PairRules<double>& rules, bool tethered,
-                     const Instant<double>& until) {
-  const Flight<double>& a = model.flight(i);
-  const Flight<double>& b = model.flight(j);
+/// Whether plain doubles see that nothing can have happened: the pair stayed clear of both limits by more
+/// than they can err.
+template <typename Number>
+bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>& rules, bool tethered,
+              const Instant<double>& until) {
+  const Flight<double>& a = model.rough_flight(i);
+  const Flight<double>& b = model.rough_flight(j);
   const double since_a = (until.hi - a.since.hi) + (until.lo - a.since.lo);
   const double since_b = (until.hi - b.since.hi) + (until.lo - b.since.lo);
   const double together = std::min(since_a, since_b);
@@ -161,16 +170,19 @@ inline bool is_clear(const Model<double>& model, int i, int j, const PairRules<d
   const double before = rr - together * (2 * rv - together * vv);  // squared distance when the flight began
   const double turned = rv > 0 && rv < vv * together ? rr - rv * rv / vv : std::min(rr, before);
   constexpr double kShare = 0x1p-40;  // thousands of roundings
-  if (rules.blocks && !(turned - rules.inner * rules.inner > kShare * (size * size + rules.inner * rules.inner))) return false;
-  if (tethered && !(std::max(rr, before) - rules.outer * rules.outer <
-                    -kShare * (size * size + rules.outer * rules.outer))) {
-    return false;
+  const auto beyond = [&](const Number& limit) {
+    const double L = static_cast<double>(limit);
+    return std::pair(L * L, kShare * (size * size + L * L));
+  };
+  if (rules.blocks) {
+    const auto [limit, error] = beyond(rules.inner);
+    if (!(turned - limit > error)) return false;
+  }
+  if (tethered) {
+    const auto [limit, error] = beyond(rules.outer);
+    if (!(std::max(rr, before) - limit < -error)) return false;
   }
   return true;
-}
-template <typename Number>
-bool is_clear(const Model<Number>&, int, int, const PairRules<Number>&, bool, const Instant<Number>&) {
-  return false;
 }
 
 }  // namespace detail
@@ -185,12 +197,13 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
   const bool tethered = model.tethered(i, j);
   Asked result;
   if ((!rules.blocks && !tethered) || model.groups.together(i, j)) return result;
-  if (detail::is_clear(model, i, j, rules, tethered, until)) return result;
+  if (detail::is_clear(model, i, j, rules, tethered, rough(until))) return result;
   const PairFlight<Number> pair = pair_flight(model, i, j);
   if (until < pair.start) return result;
   if (rules.blocks) {
     const bool is_asked = !model.responded(i, j, false) && !happening.is(i, j, false);
-    const Asked inner = judge_limit(c, pair, i, j, LimitAsked<W>{false, W(rules.inner), false}, is_asked, until, happening);
+    const Asked inner =
+        judge_limit(c, pair, i, j, LimitAsked<W>{false, W(rules.inner), false}, is_asked, until, happening);
     result = inner;
   }
   if (tethered) {

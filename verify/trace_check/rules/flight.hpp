@@ -22,8 +22,8 @@ void judge_flight(const Context<Number>& c, const EventLine<Number>& event) {
     for (std::size_t k = 0; k < 3; ++k) {
       const W step = W(flight.velocity[k]) * dt;
       const W expected = W(flight.position[k]) + step;
-      const W unit = c.u() * (W(2) * abs(step) + abs(W((*recorded)[k]))) + model.precision.smallest + flight.blur +
-                     c.time_error(event.t) * abs(W(flight.velocity[k]));
+      const W unit = c.u() * (W(2) * abs(step) + abs(W((*recorded)[k]))) + model.precision.smallest +
+                     flight.blur + c.time_error(event.t) * abs(W(flight.velocity[k]));
       const W ulps = abs(W((*recorded)[k]) - expected) / unit;
       if (ulps > worst) {
         worst = ulps;
@@ -33,8 +33,9 @@ void judge_flight(const Context<Number>& c, const EventLine<Number>& event) {
     }
     c.tally.within(Rule::flight, as_double(worst), 1.5, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
-      f.message = fmt::format("particle {} is {} off the straight line along axis {}, after flying for {} from {}",
-                              model.id(p.particle), shown(off), "xyz"[axis], shown(dt), c.shown_time(flight.since));
+      f.message =
+          fmt::format("particle {} is {} off the straight line along axis {}, after flying for {} from {}",
+                      model.id(p.particle), shown(off), "xyz"[axis], shown(dt), c.shown_time(flight.since));
       f.equation = "(1)";
     });
   }

@@ -7,10 +7,11 @@
 
 namespace tps::check {
 
-/// Whether this collision joins two bodies: in a grouped scene, where it has an impulse. For a vanishing v_n the
-/// trace decides.
+/// Whether this collision joins two bodies: in a grouped scene, where it has an impulse. For a vanishing v_n
+/// the trace decides.
 template <typename Number>
-bool is_load(const Context<Number>& c, const EventLine<Number>& event, const Expected<Work<Number>>& expected) {
+bool is_load(const Context<Number>& c, const EventLine<Number>& event,
+             const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
   if (!c.model.scene.grouping || event.kind == Kind::broken) return false;
   return c.minimal ? largest(expected.response.dp) > W(0) : !event.members.empty();
@@ -38,17 +39,21 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   };
   if (loads && !event.members.empty()) {
     c.tally.demand(Rule::groups, event.members == moving, [&](Finding& f) {
-      f.message = fmt::format("the body is listed as {}; its members are {}", names(event.members), names(moving));
+      f.message =
+          fmt::format("the body is listed as {}; its members are {}", names(event.members), names(moving));
     });
   }
   for (const int n : moving) {
     if (event.of(n) != nullptr) continue;
     c.tally.demand(Rule::groups, false, [&](Finding& f) {
-      f.message = fmt::format("particle {} moves with the others, but its velocity is not given", model.id(n));
+      f.message =
+          fmt::format("particle {} moves with the others, but its velocity is not given", model.id(n));
     });
   }
   for (const InvolvedParticle<Number>& p : event.involved) {
-    if (p.particle == event.i || p.particle == event.j || std::binary_search(moving.begin(), moving.end(), p.particle)) continue;
+    if (p.particle == event.i || p.particle == event.j ||
+        std::binary_search(moving.begin(), moving.end(), p.particle))
+      continue;
     c.tally.demand(Rule::bystanders, false, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
       f.message = fmt::format("particle {} has no part in the event, but is listed", model.id(p.particle));
@@ -66,7 +71,8 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   const W noise = W(4) * expected.response.error;
   if (!c.minimal && model.scene.grouping && largest(expected.response.dp) > noise && !loads) {
     c.tally.demand(Rule::groups, false, [&](Finding& f) {
-      f.message = fmt::format("{} collide in a scene with grouping, but are not loaded", c.pair(event.i, event.j));
+      f.message =
+          fmt::format("{} collide in a scene with grouping, but are not loaded", c.pair(event.i, event.j));
       f.equation = "(6)";
     });
   }
@@ -86,7 +92,8 @@ void judge_parting(const Context<Number>& c, const EventLine<Number>& event) {
   const Body<Number>* left = *model.groups.parting().begin();
   c.tally.demand(Rule::groups, false, [&](Finding& f) {
     f.message = fmt::format("something else happens while the body of particle {} has {} loads left to part",
-                            model.id(left->members.front()), left->root->members[0].size() + left->root->members[1].size() - 1);
+                            model.id(left->members.front()),
+                            left->root->members[0].size() + left->root->members[1].size() - 1);
     f.equation = "(7)";
   });
   model.groups.forget_parting();
@@ -110,11 +117,12 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
     const Instant<Number> expiry = expiry_of(model, *body);
     const W late = elapsed(expiry, event.t);
     const W error = c.time_error(event.t);
-    const bool clock_had_passed = c.certified() && event.t == model.now && late > W(0) &&
-                                  late <= W(2.5) * c.u() * abs(W(event.t.hi));
+    const bool clock_had_passed =
+        c.certified() && event.t == model.now && late > W(0) && late <= W(2.5) * c.u() * abs(W(event.t.hi));
     c.tally.demand(Rule::groups, abs(late) <= error || clock_had_passed, [&](Finding& f) {
-      f.message = fmt::format("the body of particle {} expires at {} and parts {} {}", model.id(body->members.front()),
-                              c.shown_time(expiry), shown(W(abs(late))), late > W(0) ? "later" : "earlier");
+      f.message = fmt::format("the body of particle {} expires at {} and parts {} {}",
+                              model.id(body->members.front()), c.shown_time(expiry), shown(W(abs(late))),
+                              late > W(0) ? "later" : "earlier");
     });
   }
   const LoadNode<Number>& node = *body->root;
@@ -134,8 +142,9 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   const W error = c.u() * length(dp);
   const double roundings = 4 + 2 * body->loads;
   judge_balance(c,
-                Balance<W>{b.v_i, b.v_j, after(event.i), after(event.j), node.inverse_mass[0], node.inverse_mass[1], b.r,
-                           error, roundings, W(-dot(dp, dp) / (W(2) * mu)), W(roundings) * error * length(dp) / mu, false},
+                Balance<W>{b.v_i, b.v_j, after(event.i), after(event.j), node.inverse_mass[0],
+                           node.inverse_mass[1], b.r, error, roundings, W(-dot(dp, dp) / (W(2) * mu)),
+                           W(roundings) * error * length(dp) / mu, false},
                 c.pair(event.i, event.j));
 }
 

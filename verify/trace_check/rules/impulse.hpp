@@ -17,8 +17,8 @@ struct Expected {
 
 namespace detail {
 
-/// Roundings of Δp by the formulas as they stand (docs/eq4.md, docs/eq5.md), four more for θ at its ends, and two
-/// for each mass that was added up.
+/// Roundings of Δp by the formulas as they stand (docs/eq4.md, docs/eq5.md), four more for θ at its ends, and
+/// two for each mass that was added up.
 inline double roundings_of_impulse(int loads) {
   return 12 + 2 * loads;
 }
@@ -44,8 +44,8 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
 
 }  // namespace detail
 
-/// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the boundary
-/// both are.
+/// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the
+/// boundary both are.
 template <typename Number>
 void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
   using W = Work<Number>;
@@ -57,20 +57,22 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   const W needed = rules.tan_theta * across;
   // Both sides have six roundings of |v|; positions add the turn of the axis, the tangent two more.
   const W turn = c.u() + b.blur / b.distance();
-  const W unit = W(8) * turn * length(b.v) * (W(rules.c_retract) + rules.tan_theta) * c.scale() + c.model.precision.smallest;
+  const W unit = W(8) * turn * length(b.v) * (W(rules.c_retract) + rules.tan_theta) * c.scale() +
+                 c.model.precision.smallest;
   const bool retracts = event.kind == Kind::retract;
   const bool boundary = abs(pulled - needed) <= unit || (v_n <= W(0) && !retracts);
   const bool right = boundary || (retracts ? pulled > needed : pulled < needed && across > W(0));
   c.tally.demand(Rule::impulse, right, [&](Finding& f) {
-    f.message = fmt::format("{} {}s, but |c_retract v_n| = {} and tan θ |v_ŵ| = {}", c.pair(b.i, b.j), name(event.kind),
-                            shown(pulled), shown(needed));
+    f.message = fmt::format("{} {}s, but |c_retract v_n| = {} and tan θ |v_ŵ| = {}", c.pair(b.i, b.j),
+                            name(event.kind), shown(pulled), shown(needed));
     detail::describe_impulse(c, b, event, Expected<W>{{}, 0, "(5)"}, f);
   });
 }
 
 /// The impulse that a collision calls for, by its kind.
 template <typename Number>
-Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
+Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Number>& event,
+                                   const BodiesNow<Number>& b) {
   using W = Work<Number>;
   const PairRules<Number>& rules = c.model.rules.of(b.i, b.j);
   const double roundings = detail::roundings_of_impulse(b.loads);
@@ -110,23 +112,28 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
   if (p == nullptr || c.model.fixed(particle)) return;
   const Vec<W> expected = before + inverse_mass * impulse;
   const Vec<W> after = widened<W>(p->velocity_after);
-  const W unit = c.u() * (largest(after) + W(1 + loads) * inverse_mass * largest(impulse)) + inverse_mass * impulse_error +
-                 c.model.precision.smallest;
+  const W unit = c.u() * (largest(after) + W(1 + loads) * inverse_mass * largest(impulse)) +
+                 inverse_mass * impulse_error + c.model.precision.smallest;
   c.tally.within(Rule::impulse, as_double(W(largest(after - expected) / unit)), 3, [&](Finding& f) {
     f.particles = {c.model.id(particle)};
     f.message = fmt::format("particle {} leaves with velocity {}, but v + Δp/m is {}", c.model.id(particle),
-                            shown(p->velocity_after, c.model.scene.dimension), shown(expected, c.model.scene.dimension));
+                            shown(p->velocity_after, c.model.scene.dimension),
+                            shown(expected, c.model.scene.dimension));
     f.equation = "(3)";
     ReplayInput in(c.model.scene.dimension);
-    in.number("m_A", mass_of(inverse_mass)).number("m_B", HUGE_VAL).vector("v_A", before).vector("v_B", Vec<W>{}).vector("dp", impulse);
+    in.number("m_A", mass_of(inverse_mass))
+        .number("m_B", HUGE_VAL)
+        .vector("v_A", before)
+        .vector("v_B", Vec<W>{})
+        .vector("dp", impulse);
     f.replay = Replay{"apply_impulse", in.json(), {}};
   });
 }
 
 /// The velocities after a collision that is not grouped: by eq. (3) with the recorded Δp.
 template <typename Number>
-void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                           const Expected<Work<Number>>& expected) {
+void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& event,
+                           const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
   const bool broken = event.kind == Kind::broken;
   const Vec<W> dp = broken ? Vec<W>{} : event.dp ? widened<W>(*event.dp) : expected.response.dp;
@@ -151,23 +158,28 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
     const W off = largest(widened<W>(p.velocity_after) - v_load);
     c.tally.within(Rule::impulse, as_double(W(off / unit)), 6 + 2 * b.loads, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
-      f.message = fmt::format("particle {} is loaded with velocity {}, but v_load is {}", model.id(p.particle),
-                              shown(p.velocity_after, dimension), shown(v_load, dimension));
+      f.message =
+          fmt::format("particle {} is loaded with velocity {}, but v_load is {}", model.id(p.particle),
+                      shown(p.velocity_after, dimension), shown(v_load, dimension));
       f.equation = "(6)";
       ReplayInput in(dimension);
-      in.number("m_A", mass_of(b.inverse_i)).number("m_B", mass_of(b.inverse_j)).vector("v_A", b.v_i).vector("v_B", b.v_j);
+      in.number("m_A", mass_of(b.inverse_i))
+          .number("m_B", mass_of(b.inverse_j))
+          .vector("v_A", b.v_i)
+          .vector("v_B", b.v_j);
       f.replay = Replay{"load", in.json(), {}};
     });
   }
   if (!event.dp_stored) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const Vec<W> kept = dp - b.mu * b.v;
-  const W kept_unit = c.u() * (largest(dp) + b.mu * length(b.v)) + (event.dp ? W(0) : expected.response.error) +
-                      model.precision.smallest;
-  c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)), 6 + 2 * b.loads,
-                 [&](Finding& f) {
-                   f.message = fmt::format("the impulse stored for {} is {}, but Δp − μ v_AB is {}", c.pair(b.i, b.j),
-                                           shown(*event.dp_stored, dimension), shown(kept, dimension));
+  const W kept_unit = c.u() * (largest(dp) + b.mu * length(b.v)) +
+                      (event.dp ? W(0) : expected.response.error) + model.precision.smallest;
+  c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)),
+                 6 + 2 * b.loads, [&](Finding& f) {
+                   f.message =
+                       fmt::format("the impulse stored for {} is {}, but Δp − μ v_AB is {}", c.pair(b.i, b.j),
+                                   shown(*event.dp_stored, dimension), shown(kept, dimension));
                    f.equation = "(7)";
                    ReplayInput in(dimension);
                    in.number("m_A", mass_of(b.inverse_i)).number("m_B", mass_of(b.inverse_j));

@@ -36,13 +36,14 @@ namespace detail {
 
 /// Whether something known in advance should have come before the event that happens.
 template <typename Number>
-bool is_late(const Context<Number>& c, const Instant<Number>& due_at, int its_rank, const Happening<Number>& happening,
-             int rank_now, const Work<Number>& error) {
+bool is_late(const Context<Number>& c, const Instant<Number>& due_at, int its_rank,
+             const Happening<Number>& happening, int rank_now, const Work<Number>& error) {
   using W = Work<Number>;
   const W late = elapsed(due_at, happening.t);
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified() && happening.moment && std::fabs(late) > error) {
-      const std::weak_ordering order = c.exact.order(Moment{due_at.hi, due_at.lo, std::nullopt, 1}, *happening.moment);
+      const std::weak_ordering order =
+          c.exact.order(Moment{due_at.hi, due_at.lo, std::nullopt, 1}, *happening.moment);
       return order < 0 || (order == 0 && its_rank < rank_now);
     }
   }
@@ -54,7 +55,8 @@ bool is_late(const Context<Number>& c, const Instant<Number>& due_at, int its_ra
 
 /// Nothing that is known in advance is passed over by this event.
 template <typename Number>
-void judge_known_events(const Context<Number>& c, const EventLine<Number>& event, const Happening<Number>& happening) {
+void judge_known_events(const Context<Number>& c, const EventLine<Number>& event,
+                        const Happening<Number>& happening) {
   using W = Work<Number>;
   Model<Number>& model = c.model;
   const int now = rank(event.kind);
@@ -68,8 +70,8 @@ void judge_known_events(const Context<Number>& c, const EventLine<Number>& event
       c.tally.demand(Rule::earliest, false, [&](Finding& f) {
         f.particles.clear();
         for (const int member : body->members) f.particles.push_back(model.id(member));
-        f.message = fmt::format("the body of particle {} expires at {} and has not parted", model.id(body->members.front()),
-                                c.shown_time(expiry));
+        f.message = fmt::format("the body of particle {} expires at {} and has not parted",
+                                model.id(body->members.front()), c.shown_time(expiry));
         f.equation = "(7)";
       });
       model.groups.stop_waiting_for(body);
@@ -96,12 +98,13 @@ void judge_known_events(const Context<Number>& c, const EventLine<Number>& event
 /// An event that the scene has at a given time is at that time; under certified timing at the clock's, where
 /// that has passed it.
 template <typename Number>
-void judge_scheduled_time(const Context<Number>& c, const EventLine<Number>& event, double t, const char* what) {
+void judge_scheduled_time(const Context<Number>& c, const EventLine<Number>& event, double t,
+                          const char* what) {
   using W = Work<Number>;
   using std::abs;
   const W late = elapsed(known_time<Number>(t, c.model.precision), event.t);
-  const bool clock_had_passed = c.certified() && event.t == c.model.now && late > W(0) &&
-                                late <= W(2.5) * c.u() * abs(W(event.t.hi));
+  const bool clock_had_passed =
+      c.certified() && event.t == c.model.now && late > W(0) && late <= W(2.5) * c.u() * abs(W(event.t.hi));
   const W error = c.minimal ? c.time_error(event.t) : W(0);
   c.tally.demand(Rule::earliest, abs(late) <= error || clock_had_passed, [&](Finding& f) {
     f.message = fmt::format("the {} is due at {} and happens {} {}", what,

@@ -15,11 +15,13 @@ void judge_order(const Context<Number>& c, const EventLine<Number>& event) {
   const std::uint64_t expected = model.events + 1;
   if (event.k) {
     c.tally.demand(Rule::order, *event.k == expected, [&](Finding& f) {
-      f.message = fmt::format("is event {}, after event {}; events are counted one by one", *event.k, model.events);
+      f.message =
+          fmt::format("is event {}, after event {}; events are counted one by one", *event.k, model.events);
     });
   }
   c.tally.demand(Rule::order, !(event.t < model.last_event), [&](Finding& f) {
-    f.message = fmt::format("time goes back from {} to {}", c.shown_time(model.last_event), c.shown_time(event.t));
+    f.message =
+        fmt::format("time goes back from {} to {}", c.shown_time(model.last_event), c.shown_time(event.t));
   });
   if (!event.dt) return;
   const W apart = elapsed(model.last_event, event.t);

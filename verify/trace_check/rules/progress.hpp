@@ -6,7 +6,8 @@
 
 namespace tps::check {
 
-/// More events in a row than this, while the clock rounded to the scalar stands still, are a stall (docs/engine.md).
+/// More events in a row than this, while the clock rounded to the scalar stands still, are a stall
+/// (docs/engine.md).
 inline std::uint64_t stall_limit(std::size_t particles) {
   return 10000 + particles * (particles - 1) / 2;
 }
@@ -18,8 +19,9 @@ void judge_progress(const Context<Number>& c, const EventLine<Number>&) {
   const std::uint64_t still = model.events - model.progress_event;
   const std::uint64_t limit = stall_limit(model.flights.size());
   c.tally.demand(Rule::progress, still <= limit + model.flights.size() + 1, [&](Finding& f) {
-    f.message = fmt::format("the clock has stood still for {} events; a run of {} particles is stalled after {}", still,
-                            model.flights.size(), limit);
+    f.message =
+        fmt::format("the clock has stood still for {} events; a run of {} particles is stalled after {}",
+                    still, model.flights.size(), limit);
   });
 }
 
@@ -41,8 +43,9 @@ void judge_end(const Context<Number>& c, const EndLine<Number>& end) {
   const std::uint64_t still = model.events - model.progress_event;
   const bool stalls = still > stall_limit(model.flights.size());
   c.tally.demand(Rule::progress, stalls == (end.reason == "stalled"), [&](Finding& f) {
-    f.message = fmt::format("the run ends as {}; the clock has stood still for {} events, a stall takes more than {}",
-                            end.reason, still, stall_limit(model.flights.size()));
+    f.message =
+        fmt::format("the run ends as {}; the clock has stood still for {} events, a stall takes more than {}",
+                    end.reason, still, stall_limit(model.flights.size()));
   });
 }
 

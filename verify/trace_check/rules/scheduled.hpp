@@ -11,8 +11,8 @@ template <typename Number>
 void judge_scheduled_impulse(const Context<Number>& c, const EventLine<Number>& event) {
   using W = Work<Number>;
   const Model<Number>& model = c.model;
-  const bool there = model.impulses_done < model.impulses.size() &&
-                     model.impulses[model.impulses_done].particle == event.i;
+  const bool there =
+      model.impulses_done < model.impulses.size() && model.impulses[model.impulses_done].particle == event.i;
   c.tally.demand(Rule::impulse, there, [&](Finding& f) {
     f.message = fmt::format("the scene has no impulse on particle {} that is next", model.id(event.i));
   });
@@ -28,8 +28,10 @@ void judge_scheduled_impulse(const Context<Number>& c, const EventLine<Number>& 
     });
   }
   for (const InvolvedParticle<Number>& p : event.involved) {
-    const Vec<W> before = widened<W>(p.velocity_before ? *p.velocity_before : model.flight(p.particle).velocity);
-    judge_velocity_after(c, event, p.particle, before, J, W(0), model.inverse_mass(event.i), model.loads(event.i));
+    const Vec<W> before =
+        widened<W>(p.velocity_before ? *p.velocity_before : model.flight(p.particle).velocity);
+    judge_velocity_after(c, event, p.particle, before, J, W(0), model.inverse_mass(event.i),
+                         model.loads(event.i));
   }
 }
 
@@ -42,7 +44,8 @@ void judge_phase(const Context<Number>& c, const EventLine<Number>& event) {
                      model.phase_changes[model.phases_done].opens == opens &&
                      model.phase_changes[model.phases_done].phase == static_cast<std::size_t>(*event.phase);
   c.tally.demand(Rule::earliest, there, [&](Finding& f) {
-    f.message = fmt::format("{} of phase {} is not the scene's next change of a phase", name(event.kind), *event.phase);
+    f.message = fmt::format("{} of phase {} is not the scene's next change of a phase", name(event.kind),
+                            *event.phase);
   });
   if (there) judge_scheduled_time(c, event, model.phase_changes[model.phases_done].at, "phase change");
 }

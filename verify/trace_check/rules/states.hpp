@@ -9,8 +9,9 @@
 
 namespace tps::check {
 
-/// Compares a full state with the model. All is copied, nothing rounded, but masses of bodies and expiries, which are
-/// sums. The counters of the summary other than events by kind, its quantities and observations are not judged.
+/// Compares a full state with the model. All is copied, nothing rounded, but masses of bodies and expiries,
+/// which are sums. The counters of the summary other than events by kind, its quantities and observations are
+/// not judged.
 template <typename Number>
 class StateJudge {
  public:
@@ -44,12 +45,14 @@ class StateJudge {
 
   int index(std::int32_t id) const {
     const auto found = std::lower_bound(index_of_.begin(), index_of_.end(), std::pair(id, 0));
-    if (found == index_of_.end() || found->first != id) throw std::runtime_error(fmt::format("it names particle {}", id));
+    if (found == index_of_.end() || found->first != id)
+      throw std::runtime_error(fmt::format("it names particle {}", id));
     return found->second;
   }
   static Number number(const Hex& text) {
     const std::optional<Number> x = number_of<Number>(text);
-    if (!x) throw std::runtime_error(fmt::format("\"{}\" is no number of the trace's scalar", text.substr(0, 60)));
+    if (!x)
+      throw std::runtime_error(fmt::format("\"{}\" is no number of the trace's scalar", text.substr(0, 60)));
     return *x;
   }
   static Instant<Number> instant(const HexTime& t) {
@@ -59,7 +62,8 @@ class StateJudge {
     return {hi + lo, Number(0)};
   }
   Vec<Number> vector(const HexVector& x) const {
-    if (x.size() != static_cast<std::size_t>(model_.scene.dimension)) throw std::runtime_error("a vector has another dimension");
+    if (x.size() != static_cast<std::size_t>(model_.scene.dimension))
+      throw std::runtime_error("a vector has another dimension");
     Vec<Number> result;
     for (std::size_t k = 0; k < x.size(); ++k) result[k] = number(x[k]);
     return result;
@@ -69,30 +73,36 @@ class StateJudge {
 
   void judge_clock() {
     const StateData& s = line_.data;
-    expect(s.k == model_.events, fmt::format("the state is of event {}, but stands behind event {}", s.k, model_.events));
+    expect(s.k == model_.events,
+           fmt::format("the state is of event {}, but stands behind event {}", s.k, model_.events));
     expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
-    expect(same(instant(s.last_event), model_.last_event), "\"last_event\" is not the time of the event before");
+    expect(same(instant(s.last_event), model_.last_event),
+           "\"last_event\" is not the time of the event before");
     expect(s.progress_event == model_.progress_event,
            fmt::format("the clock last moved at event {}, not {}", model_.progress_event, s.progress_event));
   }
 
   void judge_particles() {
     const StateData& s = line_.data;
-    expect(s.particles.size() == model_.flights.size(),
-           fmt::format("the state has {} particles, the scene {}", s.particles.size(), model_.flights.size()));
+    expect(
+        s.particles.size() == model_.flights.size(),
+        fmt::format("the state has {} particles, the scene {}", s.particles.size(), model_.flights.size()));
     for (const StateData::Particle& p : s.particles) {
       const Flight<Number>& flight = model_.flight(index(p.id));
       const Vec<Number> velocity = vector(p.velocity);
       expect(velocity == flight.velocity,
              fmt::format("particle {} has velocity {}, but left its last event with {}", p.id,
-                         shown(velocity, model_.scene.dimension), shown(flight.velocity, model_.scene.dimension)),
+                         shown(velocity, model_.scene.dimension),
+                         shown(flight.velocity, model_.scene.dimension)),
              {p.id});
       const Vec<Number> position = vector(p.position);
       expect(largest(widened<W>(position) - widened<W>(flight.position)) <= flight.blur,
              fmt::format("particle {} is at {}, but was at {} at its last event", p.id,
-                         shown(position, model_.scene.dimension), shown(flight.position, model_.scene.dimension)),
+                         shown(position, model_.scene.dimension),
+                         shown(flight.position, model_.scene.dimension)),
              {p.id});
-      expect(same(instant(p.clock), flight.since), fmt::format("the clock of particle {} is not its last event's", p.id), {p.id});
+      expect(same(instant(p.clock), flight.since),
+             fmt::format("the clock of particle {} is not its last event's", p.id), {p.id});
     }
   }
 
@@ -105,18 +115,21 @@ class StateJudge {
         if (i < j) tethers.insert({model_.id(i), model_.id(j)});
       }
       for (const auto& [j, outer] : model_.responses(i)) {
-        if (model_.responded(i, j, outer)) responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
+        if (model_.responded(i, j, outer))
+          responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
       }
     }
     expect(std::set<std::array<std::int32_t, 2>>(s.tethers.begin(), s.tethers.end()) == tethers,
-           fmt::format("the state has {} tethers, which are not the {} that the events left", s.tethers.size(), tethers.size()));
+           fmt::format("the state has {} tethers, which are not the {} that the events left",
+                       s.tethers.size(), tethers.size()));
     std::set<std::tuple<std::int32_t, std::int32_t, bool>> stated;
     for (const StateData::Responded& r : s.responded) {
       stated.insert({std::min(r.first, r.second), std::max(r.first, r.second), r.outer});
     }
-    expect(stated == responded,
-           fmt::format("the state lists {} pairs that have responded, which are not the {} that the events left",
-                       stated.size(), responded.size()));
+    expect(
+        stated == responded,
+        fmt::format("the state lists {} pairs that have responded, which are not the {} that the events left",
+                    stated.size(), responded.size()));
   }
 
   void judge_groups() {
@@ -124,31 +137,40 @@ class StateJudge {
     const std::vector<const Body<Number>*> bodies = model_.groups.bodies();
     expect(s.groups.size() == bodies.size(),
            fmt::format("the state has {} bodies, the events left {}", s.groups.size(), bodies.size()));
-    for (std::size_t n = 0; n < std::min(bodies.size(), s.groups.size()); ++n) judge_group(s.groups[n], *bodies[n]);
+    for (std::size_t n = 0; n < std::min(bodies.size(), s.groups.size()); ++n)
+      judge_group(s.groups[n], *bodies[n]);
   }
 
   void judge_group(const StateData::Group& group, const Body<Number>& body) {
     std::vector<std::int32_t> members;
     for (const int member : body.members) members.push_back(model_.id(member));
-    expect(group.members == members, fmt::format("the members of the body of particle {} differ", members.front()), members);
+    expect(group.members == members,
+           fmt::format("the members of the body of particle {} differ", members.front()), members);
     const Number mass = number(group.mass);
     const bool infinite = body.inverse_mass == W(0);
     using std::abs;
-    const bool same_mass = infinite ? !(mass - mass == Number(0))
-                                    : abs(W(mass) * body.inverse_mass - W(1)) <= W(2 * body.loads) * c_.u() * c_.scale();
-    expect(same_mass, fmt::format("the mass of the body of particle {} is not that of its members", members.front()), members);
+    const bool same_mass =
+        infinite ? !(mass - mass == Number(0))
+                 : abs(W(mass) * body.inverse_mass - W(1)) <= W(2 * body.loads) * c_.u() * c_.scale();
+    expect(same_mass,
+           fmt::format("the mass of the body of particle {} is not that of its members", members.front()),
+           members);
     const Instant<Number> expiry = expiry_of(model_, body);
     expect(abs(elapsed(expiry, instant(group.expiry))) <= c_.time_error(expiry),
            fmt::format("the body of particle {} expires at another time", members.front()), members);
-    expect(same(instant(group.birth), body.birth), fmt::format("the body of particle {} is of another age", members.front()), members);
+    expect(same(instant(group.birth), body.birth),
+           fmt::format("the body of particle {} is of another age", members.front()), members);
     expect(group.nodes.size() == static_cast<std::size_t>(body.loads),
-           fmt::format("the body of particle {} has {} loads, not {}", members.front(), body.loads, group.nodes.size()), members);
+           fmt::format("the body of particle {} has {} loads, not {}", members.front(), body.loads,
+                       group.nodes.size()),
+           members);
     std::vector<const LoadNode<Number>*> open = {body.root.get()};
     std::multiset<std::string> expected, stated;
     while (!open.empty()) {
       const LoadNode<Number>* node = open.back();
       open.pop_back();
-      expected.insert(fmt::format("{}-{} {}", model_.id(node->i), model_.id(node->j), node->outer) + text_of(node->dp));
+      expected.insert(fmt::format("{}-{} {}", model_.id(node->i), model_.id(node->j), node->outer) +
+                      text_of(node->dp));
       for (const auto& below : node->below) {
         if (below != nullptr) open.push_back(below.get());
       }
@@ -156,10 +178,13 @@ class StateJudge {
     for (const StateData::Node& node : group.nodes) {
       stated.insert(fmt::format("{}-{} {}", node.i, node.j, node.outer) + text_of(vector(node.dp)));
     }
-    expect(expected == stated, fmt::format("the loads of the body of particle {} are not those of the events", members.front()), members);
+    expect(expected == stated,
+           fmt::format("the loads of the body of particle {} are not those of the events", members.front()),
+           members);
     const StateData::Node& root = group.nodes.at(0);
     expect(root.i == model_.id(body.root->i) && root.j == model_.id(body.root->j),
-           fmt::format("the root of the body of particle {} is not its latest load", members.front()), members);
+           fmt::format("the root of the body of particle {} is not its latest load", members.front()),
+           members);
   }
 
   static std::string text_of(const Vec<Number>& x) {

@@ -17,14 +17,16 @@ bool has_room(const Model<Number>& model, int i) {
 
 /// A random number is drawn exactly where a probability decides. @return whether it says yes.
 template <typename Number>
-std::optional<bool> decision(const Context<Number>& c, const EventLine<Number>& event, bool asked, double probability,
-                             const char* what) {
+std::optional<bool> decision(const Context<Number>& c, const EventLine<Number>& event, bool asked,
+                             double probability, const char* what) {
   if (c.minimal && asked && !event.draw) return std::nullopt;
   c.tally.demand(Rule::tethers, asked == event.draw.has_value(), [&](Finding& f) {
-    f.message = asked ? fmt::format("whether the tether of {} {} is a matter of probability {}, but no draw is recorded",
-                                    c.pair(event.i, event.j), what, probability)
-                      : fmt::format("a draw is recorded, but nothing about the tether of {} is left to chance",
-                                    c.pair(event.i, event.j));
+    f.message =
+        asked ? fmt::format(
+                    "whether the tether of {} {} is a matter of probability {}, but no draw is recorded",
+                    c.pair(event.i, event.j), what, probability)
+              : fmt::format("a draw is recorded, but nothing about the tether of {} is left to chance",
+                            c.pair(event.i, event.j));
   });
   if (!asked || !event.draw) return std::nullopt;
   return *event.draw < probability;
@@ -47,18 +49,20 @@ void judge_forming(const Context<Number>& c, const EventLine<Number>& event) {
   if (chance && !drawn) return;
   const bool should = free && room && drawn.value_or(true);
   c.tally.demand(Rule::tethers, forms == should, [&](Finding& f) {
-    const std::string why = !can    ? "their rule never forms one"
-                            : !free ? "they are tethered already"
-                            : !room ? "one of them has all the tethers it can have"
-                            : chance ? fmt::format("the draw is {} and the probability {}", *event.draw, rules.form.probability)
-                                     : "their rule always forms one";
+    const std::string why =
+        !can     ? "their rule never forms one"
+        : !free  ? "they are tethered already"
+        : !room  ? "one of them has all the tethers it can have"
+        : chance ? fmt::format("the draw is {} and the probability {}", *event.draw, rules.form.probability)
+                 : "their rule always forms one";
     f.message = fmt::format("{} {} a tether, but {}", pair, forms ? "form" : "do not form", why);
   });
 }
 
 /// A tether breaks at a tethering collision of a tethered pair, by the pair's rule.
 template <typename Number>
-void judge_breaking(const Context<Number>& c, const EventLine<Number>& event, const Expected<Work<Number>>& expected) {
+void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
+                    const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(event.i, event.j);
@@ -83,8 +87,8 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event, co
     f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
                             should ? "breaks" : "holds",
                             rules.breaks.when == When::impulse_above
-                                ? fmt::format(": |Δp| = {} and the threshold is {}", shown(length(expected.response.dp)),
-                                              rules.breaks.threshold)
+                                ? fmt::format(": |Δp| = {} and the threshold is {}",
+                                              shown(length(expected.response.dp)), rules.breaks.threshold)
                                 : std::string());
   });
 }
