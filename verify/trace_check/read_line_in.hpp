@@ -196,9 +196,13 @@ class LineReading<Number>::Json {
   }
 
   double draw(dom::element value, const std::string& at) const {
-    const double result = static_cast<double>(number(value, at));
-    if (!(result >= 0 && result < 1)) problem(at, "is not in [0, 1), as a draw is");
-    return result;
+    std::string_view hex;
+    const bool is_text = value.get(hex) == simdjson::SUCCESS;
+    const std::optional<double> result = is_text ? number_of<double>(hex) : std::nullopt;
+    if (!result || !(*result >= 0 && *result < 1)) {
+      problem(at, "is not a draw: a double in [0, 1) as a hexadecimal float in a string, \"0x1.8p-1\"");
+    }
+    return *result;
   }
 
   std::vector<int> members(dom::element value, const std::string& at) const {
