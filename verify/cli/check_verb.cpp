@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 
 #include "reference/trace/output.hpp"
+#include "verify/cli/progress.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/trace_check/check.hpp"
@@ -46,11 +49,24 @@ void write_witness(const std::string& path, const check::CheckReport& report) {
   out.close();
 }
 
+/// With progress by the size of the file, where it has one.
+check::CheckReport judged(CheckArguments& a) {
+  constexpr double kMega = 1e6;
+  std::error_code no_size;
+  const auto size = std::filesystem::file_size(a.trace, no_size);
+  const double whole = no_size ? HUGE_VAL : static_cast<double>(size) / kMega;
+  ProgressReport progress(a.quiet, "MB");
+  a.options.progress = [&](const check::CheckOptions::Progress& p) {
+    progress.update({static_cast<double>(p.bytes) / kMega, whole, p.events});
+  };
+  return check::check_trace(a.trace, a.options);
+}
+
 int run_check(CheckArguments& a) {
   std::signal(SIGINT, note_check_interrupt);
   std::signal(SIGTERM, note_check_interrupt);
   a.options.interrupt = &check_interrupted;
-  const check::CheckReport report = check::check_trace(a.trace, a.options);
+  const check::CheckReport report = judged(a);
   const std::string text = a.format == "json"    ? check::report_json(report)
                            : a.format == "junit" ? check::report_junit(report)
                                                  : check::report_text(report);
@@ -83,6 +99,7 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option(
       "--witness", a->witness,
       "Write the first violation of each rule here, as known-answer cases for tps vectors and tps eval");
+  verb->add_flag("-q,--quiet", a->quiet, "No progress on standard error");
   verb->footer(
       "Exit code 1 if a rule is violated, 5 if more than one step in a hundred is undecided.\n"
       "The rules, their bounds and the minimal form of a trace: docs/check.md.\n"

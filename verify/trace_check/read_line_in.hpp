@@ -1,24 +1,13 @@
-// LineReading, included by the instantiating sources only (simdjson is a heavy header).
+// LineReading, included by the instantiating source only (simdjson is a heavy header).
 #pragma once
 
-#include <fmt/format.h>
-#include <simdjson.h>
-
 #include <algorithm>
-#include <charconv>
 #include <set>
 
-#include "reference/scene/nearest_name.hpp"
+#include "verify/trace_check/line_values.hpp"
 #include "verify/trace_check/read_line.hpp"
-#include "verify/trace_check/text_number.hpp"
 
 namespace tps::check {
-
-namespace dom = simdjson::dom;
-
-[[noreturn]] inline void problem(const std::string& pointer, const std::string& message) {
-  throw LineProblem(pointer, message);
-}
 
 inline const std::vector<std::string>& event_keys() {
   static const std::vector<std::string> keys = {"k",         "t",      "dt",   "kind",   "i",
@@ -28,17 +17,15 @@ inline const std::vector<std::string>& event_keys() {
 }
 
 template <typename Number>
-class LineReading<Number>::Json {
+class LineReading<Number>::Json : private LineValues<Number> {
  public:
-  Json(const Scene& scene, bool minimal, int digits) : scene_(scene), minimal_(minimal), digits_(digits) {
-    for (std::size_t n = 0; n < scene.particles.size(); ++n) {
-      index_of_.emplace(scene.particles[n].id, static_cast<int>(n));
-    }
-  }
+  using Values = LineValues<Number>;
 
-  Line<Number> read(std::string_view text) {
+  using Values::LineValues;
+
+  Line<Number> read(std::string_view line_text) {
     dom::element root;
-    const simdjson::error_code error = parser_.parse(text.data(), text.size()).get(root);
+    const simdjson::error_code error = parser_.parse(line_text.data(), line_text.size()).get(root);
     if (error != simdjson::SUCCESS) {
       problem("",
               fmt::format("is not JSON ({}); a trace has one object a line", simdjson::error_message(error)));
@@ -46,94 +33,21 @@ class LineReading<Number>::Json {
     dom::object line;
     if (root.get(line) != simdjson::SUCCESS) problem("", "is not an object; a trace has one object a line");
     dom::element ignored;
-    if (line["state"].get(ignored) == simdjson::SUCCESS) return state(line, text);
+    if (line["state"].get(ignored) == simdjson::SUCCESS) return state(line, line_text);
     if (line["end"].get(ignored) == simdjson::SUCCESS) return end(line);
     return event(line);
   }
 
  private:
-  static std::string path(const std::string& at, std::string_view key) {
-    return fmt::format("{}/{}", at, key);
-  }
-
-  static std::string_view text(dom::element value, const std::string& at) {
-    std::string_view result;
-    if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a string");
-    return result;
-  }
-
-  static std::uint64_t count(dom::element value, const std::string& at) {
-    std::uint64_t result = 0;
-    if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a number of events: 0, 1, 2, …");
-    return result;
-  }
-
-  Number number(dom::element value, const std::string& at) const {
-    double plain = 0;
-    std::string_view hex;
-    if (minimal_ && value.get(plain) == simdjson::SUCCESS) return Number(plain);
-    if (value.get(hex) != simdjson::SUCCESS) problem(at, kNumberForm);
-    const std::optional<Number> result = number_of<Number>(hex);
-    if (!result || !fits(hex, *result)) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
-    if (!(*result - *result == Number(0)))
-      problem(at, "is infinite; positions, velocities and impulses are finite");
-    return *result;
-  }
-
-  bool fits(std::string_view hex, const Number& value) const {
-    if constexpr (std::is_same_v<Number, double>) {
-      return digits_ >= 53 || static_cast<double>(static_cast<float>(value)) == value;
-    } else {
-      return significant_bits(*split_hex(hex)) <= digits_;
-    }
-  }
-
-  Instant<Number> instant(dom::element value, const std::string& at) const {
-    double plain = 0;
-    if (minimal_ && value.get(plain) == simdjson::SUCCESS) {
-      return {Number(plain) - Number(scene_.start_time), Number(0)};
-    }
-    const std::string_view hex = text(value, at);
-    const std::optional<Instant<Number>> result = instant_of<Number>(hex, scene_.start_time);
-    if (!result) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
-    return *result;
-  }
-
-  Vec<Number> vector(dom::element value, const std::string& at) const {
-    dom::array components;
-    const auto dimension = static_cast<std::size_t>(scene_.dimension);
-    if (value.get(components) != simdjson::SUCCESS || components.size() != dimension) {
-      problem(at, fmt::format("is not a list of {} numbers, the dimension of the scene", dimension));
-    }
-    Vec<Number> result;
-    std::size_t n = 0;
-    for (const dom::element component : components) {
-      result[n] = number(component, at);
-      ++n;
-    }
-    return result;
-  }
-
-  int particle(std::int64_t id, const std::string& at) const {
-    const auto found =
-        id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
-    if (found == index_of_.end())
-      problem(at, fmt::format("names particle {}, which the scene does not have", id));
-    return found->second;
-  }
-  int particle(dom::element value, const std::string& at) const {
-    std::int64_t id = 0;
-    if (value.get(id) != simdjson::SUCCESS) problem(at, "is not the id of a particle");
-    return particle(id, at);
-  }
-  int particle_named(std::string_view key, const std::string& at) const {
-    std::int64_t id = -1;
-    const auto [last, error] = std::from_chars(key.data(), key.data() + key.size(), id);
-    if (error != std::errc() || last != key.data() + key.size() || key != std::to_string(id)) {
-      problem(at, fmt::format("\"{}\" is not the id of a particle", key.substr(0, 60)));
-    }
-    return particle(id, at);
-  }
+  using Values::count;
+  using Values::instant;
+  using Values::minimal;
+  using Values::number;
+  using Values::particle;
+  using Values::particle_named;
+  using Values::path;
+  using Values::text;
+  using Values::vector;
 
   static Kind kind_of(std::string_view text) {
     for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
@@ -185,11 +99,6 @@ class LineReading<Number>::Json {
     return event;
   }
 
-  [[noreturn]] static void unknown_key(const std::string& at, std::string_view key,
-                                       const std::vector<std::string>& known) {
-    problem(at, fmt::format("is not known here; did you mean \"{}\"?", nearest_name(key, known)));
-  }
-
   static bool formed(std::string_view text) {
     if (text != "formed" && text != "broken") problem("/tether", "is neither \"formed\" nor \"broken\"");
     return text == "formed";
@@ -235,7 +144,7 @@ class LineReading<Number>::Json {
         p.velocity_after = vector(velocity, path(at, "velocity"));
         if (value["position"].get(position) == simdjson::SUCCESS) {
           p.position_after = vector(position, path(at, "position"));
-        } else if (!minimal_) {
+        } else if (!minimal()) {
           problem(at, "has no \"position\"");
         }
         event.involved.push_back(std::move(p));
@@ -258,11 +167,11 @@ class LineReading<Number>::Json {
         p->velocity_before = vector(velocity, path(at, "velocity"));
       if (value["position"].get(position) == simdjson::SUCCESS)
         p->position_before = vector(position, path(at, "position"));
-      if (!minimal_ && (!p->velocity_before || !p->position_before))
+      if (!minimal() && (!p->velocity_before || !p->position_before))
         problem(at, "lacks \"position\" or \"velocity\"");
       ++found;
     }
-    if (!minimal_ && found != event.involved.size())
+    if (!minimal() && found != event.involved.size())
       problem("/pre", "does not have the particles of \"post\"");
   }
 
@@ -283,7 +192,7 @@ class LineReading<Number>::Json {
     const auto forbid = [](bool there, std::string_view key, Kind kind) {
       if (there) problem(path("", key), fmt::format("is not for a {}", name(kind)));
     };
-    if (!minimal_) {
+    if (!minimal()) {
       need(e.k.has_value(), "k", e.kind);
       need(e.dt.has_value(), "dt", e.kind);
     }
@@ -299,13 +208,13 @@ class LineReading<Number>::Json {
     if (!alone && e.i >= e.j) problem("/i", "is not below j; a pair is named in the order of its ids");
     need(e.of(e.i) != nullptr, "post of i", e.kind);
     need(alone || e.of(e.j) != nullptr, "post of j", e.kind);
-    if (!minimal_) {
+    if (!minimal()) {
       need(e.of(e.i)->position_before.has_value(), "pre", e.kind);
       need(e.dp.has_value() || e.kind == Kind::broken, "dp", e.kind);
       need(!e.members.empty() || !e.dp_stored, "members", e.kind);
     }
     forbid(e.dp.has_value() && e.kind == Kind::broken, "dp", e.kind);
-    if (e.kind == Kind::broken && e.formed.value_or(!minimal_))
+    if (e.kind == Kind::broken && e.formed.value_or(!minimal()))
       problem("/tether", "of a break is \"broken\"");
     forbid(e.dp_stored && (e.kind == Kind::broken || e.kind >= Kind::restitute), "dp_stored", e.kind);
     forbid(!e.members.empty() && (e.kind == Kind::broken || e.kind >= Kind::restitute), "members", e.kind);
@@ -316,7 +225,7 @@ class LineReading<Number>::Json {
     if (e.formed && !*e.formed && e.kind != Kind::broken) problem("/tether", "breaks at a break only");
   }
 
-  StateLine<Number> state(const dom::object& line, std::string_view text) const {
+  StateLine<Number> state(const dom::object& line, std::string_view line_text) const {
     static const std::vector<std::string> keys = {
         "state",     "t",      "final", "now",      "last_event", "progress_event", "particles",   "tethers",
         "responded", "groups", "draws", "progress", "counts",     "quantities",     "observations"};
@@ -329,7 +238,7 @@ class LineReading<Number>::Json {
     if (line["t"].get(t) != simdjson::SUCCESS) problem("", "lacks \"t\", which a full state has");
     StateLine<Number> state{{}, instant(t, "/t")};
     try {
-      state.data = read_state(text);
+      state.data = read_state(line_text);
     } catch (const std::exception& error) {
       problem("", fmt::format("is not a full state: {}", error.what()));
     }
@@ -356,13 +265,6 @@ class LineReading<Number>::Json {
     return end;
   }
 
-  static constexpr const char* kNumberForm =
-      "is not an exact number of the trace's scalar: a hexadecimal float in a string, \"0x1.8p+1\"";
-
-  const Scene& scene_;
-  bool minimal_;
-  int digits_;
-  std::unordered_map<std::int32_t, int> index_of_;
   dom::parser parser_;
 };
 
