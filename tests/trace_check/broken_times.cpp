@@ -64,10 +64,10 @@ Broken times_exchanged(Trace& trace, std::uint64_t number) {
   return number_of(trace, found->line);
 }
 
-/// Where times differ by less than an ulp of them, dt is not rounded once but twice.
+/// Far more than an ulp of the times: nearer ones have a dt that is rounded twice.
 bool is_apart(const Place& place) {
-  return mutation::number(place.event.at("dt")) >
-         epsilon(place.trace) * since_start(place.trace, place.event.at("t"));
+  const double ulp_of_time = epsilon(place.trace) * since_start(place.trace, place.event.at("t"));
+  return mutation::number(place.event.at("dt")) > 1024 * ulp_of_time;
 }
 
 Broken dt_off_by_an_ulp(Trace& trace, std::uint64_t number) {

@@ -105,9 +105,11 @@ class LineReading<Number>::Json : private LineValues<Number> {
   }
 
   double draw(dom::element value, const std::string& at) const {
+    std::optional<double> result;
+    double plain = 0;
     std::string_view hex;
-    const bool is_text = value.get(hex) == simdjson::SUCCESS;
-    const std::optional<double> result = is_text ? number_of<double>(hex) : std::nullopt;
+    if (minimal_ && value.get(plain) == simdjson::SUCCESS) result = plain;
+    if (value.get(hex) == simdjson::SUCCESS) result = number_of<double>(hex);
     if (!result || !(*result >= 0 && *result < 1)) {
       problem(at, "is not a draw: a double in [0, 1) as a hexadecimal float in a string, \"0x1.8p-1\"");
     }
