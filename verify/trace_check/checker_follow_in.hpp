@@ -38,7 +38,12 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   node->inverse_mass = {bodies_->inverse_i, bodies_->inverse_j};
   node->recorded = event.dp_stored.has_value();
   if (event.dp_stored) node->dp = *event.dp_stored;
-  node->dp_exact = expected_.response.dp - bodies_->mu * bodies_->v;
+  const Vec<W> added = bodies_->mu * bodies_->v;
+  node->dp_exact = expected_.response.dp - added;
+  if (!node->recorded) {
+    node->dp_error = W(expected_.roundings) * expected_.response.error +
+                     W(6) * model_.precision.u * (length(expected_.response.dp) + length(added));
+  }
   const W zero(0);
   const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero
                        ? zero

@@ -22,6 +22,7 @@ struct LoadNode {
   std::array<Work<Number>, 2> inverse_mass;  ///< of the two bodies
   Vec<Number> dp;                            ///< Δp_AB on side 0, eq. (7), as recorded
   Vec<Work<Number>> dp_exact;                ///< the same where nothing is recorded
+  Work<Number> dp_error{0};                  ///< of that
   bool recorded = true;
   std::array<std::unique_ptr<LoadNode>, 2> below;  ///< the loads that made the sides
 };
