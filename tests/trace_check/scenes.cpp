@@ -167,7 +167,7 @@ NamedScene scene_named(const std::string& name) {
   return {
       name,
       own != made().end() ? own->second() : read_scene_file(TPS_SOURCE_DIR "/data/scenes/" + name + ".json"),
-      cut(name)};
+      cut(name), name == "stalled"};
 }
 
 Scene long_gas() {

@@ -108,7 +108,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
     std::optional<double> result;
     double plain = 0;
     std::string_view hex;
-    if (minimal_ && value.get(plain) == simdjson::SUCCESS) result = plain;
+    if (minimal() && value.get(plain) == simdjson::SUCCESS) result = plain;
     if (value.get(hex) == simdjson::SUCCESS) result = number_of<double>(hex);
     if (!result || !(*result >= 0 && *result < 1)) {
       problem(at, "is not a draw: a double in [0, 1) as a hexadecimal float in a string, \"0x1.8p-1\"");
