@@ -6,12 +6,21 @@
 namespace tps::mutation {
 namespace {
 
-/// Whether another event of the same pair at the same limit comes next: then it is that one which is not at
-/// its root.
+bool involves(const Json& event, const Place& place) {
+  const auto there = [&](int id) { return !place.before.fixed(id) && event.at("pre").contains(key(id)); };
+  return event.contains("pre") && (there(place.i()) || there(place.j()));
+}
+
+/// Whether the next thing that happens to one of the two is an event of both at the same limit: then it is
+/// that one which is not at its root.
 bool same_again(const Place& place) {
-  const Json& next = *place.next;
-  return is_collision(next) && next.at("i") == place.i() && next.at("j") == place.j() &&
-         is_pull(next) == is_pull(place.event);
+  for (std::size_t n = place.line + 1; n < place.trace.lines.size(); ++n) {
+    const Json& next = place.trace.lines[n];
+    if (!is_event(next) || !involves(next, place)) continue;
+    return is_collision(next) && next.at("i") == place.i() && next.at("j") == place.j() &&
+           is_pull(next) == is_pull(place.event);
+  }
+  return false;
 }
 
 /// Whether going without this event leads far beyond the limit before the next one.

@@ -146,7 +146,7 @@ const std::map<std::string, std::function<Scene()>>& made() {
 
 std::uint64_t cut(const std::string& name) {
   if (name == "stalled") return 20'000;  // it stalls at 10 004
-  if (name == "gas" || name == "terminal") return 150;
+  if (name == "gas" || name == "terminal" || name == "sheet-touching") return 150;
   return 300;
 }
 

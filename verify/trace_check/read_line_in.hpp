@@ -105,9 +105,15 @@ class LineReading<Number>::Json : private LineValues<Number> {
   }
 
   double draw(dom::element value, const Pointer& at) const {
-    const double result = static_cast<double>(number(value, at));
-    if (!(result >= 0 && result < 1)) problem(at, "is not in [0, 1), as a draw is");
-    return result;
+    std::optional<double> result;
+    double plain = 0;
+    std::string_view hex;
+    if (minimal() && value.get(plain) == simdjson::SUCCESS) result = plain;
+    if (value.get(hex) == simdjson::SUCCESS) result = number_of<double>(hex);
+    if (!result || !(*result >= 0 && *result < 1)) {
+      problem(at, "is not a draw: a double in [0, 1) as a hexadecimal float in a string, \"0x1.8p-1\"");
+    }
+    return *result;
   }
 
   std::vector<int> members(dom::element value, const Pointer& at) const {

@@ -17,6 +17,24 @@ bool is_load(const Context<Number>& c, const EventLine<Number>& event,
   return c.minimal ? largest(expected.response.dp) > W(0) : !event.members.empty();
 }
 
+/// The members of a body have one velocity, to the last bit.
+template <typename Number>
+void judge_common_velocity(const Context<Number>& c, const EventLine<Number>& event,
+                           const std::vector<int>& members) {
+  const InvolvedParticle<Number>* first = nullptr;
+  for (const int n : members) {
+    const InvolvedParticle<Number>* p = event.of(n);
+    if (p == nullptr) continue;
+    if (first == nullptr) first = p;
+    c.tally.demand(Rule::groups, p->velocity_after == first->velocity_after, [&](Finding& f) {
+      f.particles = {c.model.id(first->particle), c.model.id(n)};
+      f.message = fmt::format("particles {} and {} are of one body and leave with different velocities",
+                              c.model.id(first->particle), c.model.id(n));
+      f.equation = "(6)";
+    });
+  }
+}
+
 /// Who is listed: everybody who changes velocity, and nobody else.
 template <typename Number>
 void judge_members(const Context<Number>& c, const EventLine<Number>& event, bool collides,
@@ -43,6 +61,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
           fmt::format("the body is listed as {}; its members are {}", names(event.members), names(moving));
     });
   }
+  if (whole_bodies && !c.minimal) judge_common_velocity(c, event, moving);
   for (const int n : moving) {
     if (event.of(n) != nullptr) continue;
     c.tally.demand(Rule::groups, false, [&](Finding& f) {

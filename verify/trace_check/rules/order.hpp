@@ -5,8 +5,20 @@
 
 namespace tps::check {
 
-/// dt is rounded once: half an ulp, 1 u of it; 1.5 u where subtraction rounds to 0.75 ulp (docs/decisions.md,
-/// N18).
+/// Half the distance from dt to the next number; three quarters of it where a rounding may cost that
+/// (docs/decisions.md, N18).
+template <typename Number>
+Work<Number> half_ulp(const Context<Number>& c, const Work<Number>& dt) {
+  using std::frexp;
+  using std::ldexp;
+  using W = Work<Number>;
+  int exponent = 0;
+  static_cast<void>(frexp(dt, &exponent));
+  return ldexp(W(c.u()), exponent - 1);
+}
+
+/// dt is rounded once. Where times differ by less than an ulp of them, the difference of their los has been
+/// rounded before, by u² t.
 template <typename Number>
 void judge_order(const Context<Number>& c, const EventLine<Number>& event) {
   using W = Work<Number>;
@@ -27,9 +39,12 @@ void judge_order(const Context<Number>& c, const EventLine<Number>& event) {
   const W apart = elapsed(model.last_event, event.t);
   const W dt(*event.dt);
   // A minimal trace rounds its times, too.
-  const W unit = c.u() * abs(dt) + model.precision.smallest +
-                 (c.minimal ? c.u() * (abs(W(event.t.hi)) + abs(W(model.last_event.hi))) : W(0));
-  c.tally.within(Rule::order, as_double(W(abs(dt - apart) / unit)), 1.5, [&](Finding& f) {
+  const W times = abs(W(event.t.hi)) + abs(W(model.last_event.hi));
+  const W unit =
+      half_ulp(c, dt) + model.precision.smallest + c.u() * (c.minimal ? W(1) : W(2) * c.u()) * times;
+  constexpr double kOwnRounding =
+      0x1p-8;  // of `apart`, where half an ulp is 2^-54 of it and a long double has 64 bits
+  c.tally.within(Rule::order, as_double(W(abs(dt - apart) / unit)), 1 + kOwnRounding, [&](Finding& f) {
     f.message = fmt::format("dt is {}, but {} have passed since the event before", shown(dt), shown(apart));
   });
 }

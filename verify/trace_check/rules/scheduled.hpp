@@ -13,7 +13,7 @@ void judge_scheduled_impulse(const Context<Number>& c, const EventLine<Number>& 
   const Model<Number>& model = c.model;
   const bool there =
       model.impulses_done < model.impulses.size() && model.impulses[model.impulses_done].particle == event.i;
-  c.tally.demand(Rule::impulse, there, [&](Finding& f) {
+  c.tally.demand(Rule::earliest, there, [&](Finding& f) {
     f.message = fmt::format("the scene has no impulse on particle {} that is next", model.id(event.i));
   });
   if (!there) return;

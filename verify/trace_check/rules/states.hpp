@@ -164,31 +164,32 @@ class StateJudge {
            fmt::format("the body of particle {} has {} loads, not {}", members.front(), body.loads,
                        group.nodes.size()),
            members);
-    std::vector<const LoadNode<Number>*> open = {body.root.get()};
-    std::multiset<std::string> expected, stated;
-    while (!open.empty()) {
-      const LoadNode<Number>* node = open.back();
-      open.pop_back();
-      expected.insert(fmt::format("{}-{} {}", model_.id(node->i), model_.id(node->j), node->outer) +
-                      text_of(node->dp));
-      for (const auto& below : node->below) {
-        if (below != nullptr) open.push_back(below.get());
-      }
-    }
-    for (const StateData::Node& node : group.nodes) {
-      stated.insert(fmt::format("{}-{} {}", node.i, node.j, node.outer) + text_of(vector(node.dp)));
-    }
-    expect(expected == stated,
+    expect(is_tree(group, *body.root),
            fmt::format("the loads of the body of particle {} are not those of the events", members.front()),
-           members);
-    const StateData::Node& root = group.nodes.at(0);
-    expect(root.i == model_.id(body.root->i) && root.j == model_.id(body.root->j),
-           fmt::format("the root of the body of particle {} is not its latest load", members.front()),
            members);
   }
 
-  static std::string text_of(const Vec<Number>& x) {
-    return " " + to_hex(x[0]) + " " + to_hex(x[1]) + " " + to_hex(x[2]);
+  /// Whether the nodes of a state are the loads below a root, each side where it was.
+  bool is_tree(const StateData::Group& group, const LoadNode<Number>& root) const {
+    std::vector<std::pair<std::size_t, const LoadNode<Number>*>> open = {{0, &root}};
+    while (!open.empty()) {
+      const auto [n, load] = open.back();
+      open.pop_back();
+      const StateData::Node& node = group.nodes.at(n);
+      if (node.i != model_.id(load->i) || node.j != model_.id(load->j) || node.outer != load->outer)
+        return false;
+      if (!(vector(node.dp) == load->dp)) return false;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const StateData::Side& stated = node.sides[side];
+        const LoadNode<Number>* below = load->below[side].get();
+        std::optional<std::int32_t> particle;
+        if (below == nullptr && !load->members[side].empty())
+          particle = model_.id(load->members[side].front());
+        if (stated.node.has_value() != (below != nullptr) || stated.particle != particle) return false;
+        if (below != nullptr) open.emplace_back(static_cast<std::size_t>(*stated.node), below);
+      }
+    }
+    return true;
   }
 
   void judge_counts() {
