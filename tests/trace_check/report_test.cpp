@@ -282,6 +282,10 @@ TEST_P(Minimal, VelocitiesAreEnoughForAReducedCheck) {
             file("full") + " > /dev/null");
   const std::string text = minimal_of(tps::content(file("full")));
   write("minimal", text);
+  const Outcome valid = run_shell("python3 " TPS_SOURCE_DIR "/tests/run/validate_trace.py " TPS_SOURCE_DIR
+                                  "/data/schemas/minimal_trace.schema.json " +
+                                  file("minimal"));
+  EXPECT_EQ(valid.exit_code, 0) << valid.text;
   const Outcome outcome = check(file("minimal"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   expect_text(outcome, "not judged states: a minimal trace has no full states to judge");

@@ -25,6 +25,9 @@ class Checker {
 
   Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, Tally& tally);
 
+  Checker(const Checker&) = delete;
+  Checker& operator=(const Checker&) = delete;
+
   void take(const EventLine<Number>& event);
   void take(const StateLine<Number>& state);
   void take(const EndLine<Number>& end);
@@ -35,10 +38,6 @@ class Checker {
   std::uint64_t exact_comparisons() const { return exact_.counters().order.uncertain; }
 
  private:
-  Context<Number> context() {
-    return {model_,   tally_, timing_,
-            minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }};
-  }
   std::string shown_time(const Instant<Number>& t) const {
     return fmt::format("t = {:.17g}", static_cast<double>(t.hi) + model_.scene.start_time);
   }
@@ -62,6 +61,7 @@ class Checker {
   Timing timing_;
   bool minimal_;
   certified::ExactTiming exact_;
+  const Context<Number> context_;
   Neighbours neighbours_;
   std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
   bool earliest_held_ = true, bounds_held_ = true;

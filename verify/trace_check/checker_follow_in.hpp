@@ -21,7 +21,7 @@ void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const 
     blur = flight.blur;
     position = carried(flight, event.t, model_.precision, blur);
     if (minimal_) {
-      blur += context().time_error(event.t) * length(widened<W>(flight.velocity)) +
+      blur += context_.time_error(event.t) * length(widened<W>(flight.velocity)) +
               W(2) * model_.precision.u * largest(widened<W>(position));
     }
   }
@@ -82,7 +82,7 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
     ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
   }
-  const Context<Number> c = context();
+  const Context<Number>& c = context_;
   const bool loads = bodies_ && is_collision(event.kind) && is_load(c, event, expected_) &&
                      !model_.groups.together(event.i, event.j);
   if (event.kind == Kind::restitute) {

@@ -12,6 +12,8 @@ Checker<Number>::Checker(const Scene& scene, const Precision<Number>& precision,
       tally_(tally),
       timing_(timing),
       minimal_(minimal),
+      context_{model_,   tally_, timing_,
+               minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }},
       neighbours_(scene),
       permanent_(scene.particles.size()) {
   std::vector<std::vector<int>> of_species(scene.species.size());
@@ -88,7 +90,7 @@ void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
   const auto flight = std::tuple(a, b, model_.revisions[static_cast<std::size_t>(a)],
                                  model_.revisions[static_cast<std::size_t>(b)]);
   if (!reported_.empty() && reported_.count(flight) != 0) return;
-  const Asked asked = judge_pair(context(), a, b, until, happening);
+  const Asked asked = judge_pair(context_, a, b, until, happening);
   earliest_held_ = earliest_held_ && asked.earliest;
   bounds_held_ = bounds_held_ && asked.bounds;
   if (asked.earliest && asked.bounds) return;
@@ -169,7 +171,7 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
 
 template <typename Number>
 void Checker<Number>::take(const EventLine<Number>& event) {
-  const Context<Number> c = context();
+  const Context<Number>& c = context_;
   if (ended_) {
     tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
   }
@@ -214,14 +216,14 @@ void Checker<Number>::take(const StateLine<Number>& state) {
     tally_.demand(Rule::end, false,
                   [](Finding& f) { f.message = "a full state behind the end of the trace"; });
   }
-  const Context<Number> c = context();
+  const Context<Number>& c = context_;
   if (minimal_) return;
   StateJudge<Number>(c, state).judge();
 }
 
 template <typename Number>
 void Checker<Number>::take(const EndLine<Number>& end) {
-  const Context<Number> c = context();
+  const Context<Number>& c = context_;
   if (ended_) {
     tally_.demand(Rule::end, false, [](Finding& f) { f.message = "a second end"; });
     return;

@@ -18,11 +18,28 @@ namespace tps::check {
 
 namespace dom = simdjson::dom;
 
-[[noreturn]] inline void problem(const std::string& pointer, const std::string& message) {
-  throw LineProblem(pointer, message);
+/// Where a value stands in its line, as a JSON pointer; spelt out only when something is wrong there.
+struct Pointer {
+  const Pointer* above = nullptr;  ///< null: the line itself
+  std::string_view key = {};
+
+  std::string text() const {
+    return above == nullptr ? std::string() : fmt::format("{}/{}", above->text(), key);
+  }
+};
+inline constexpr Pointer kLine;
+inline constexpr Pointer kPre{&kLine, "pre"};
+inline constexpr Pointer kPost{&kLine, "post"};
+
+[[noreturn]] inline void problem(const Pointer& at, const std::string& message) {
+  throw LineProblem(at.text(), message);
+}
+/// About a member of the line.
+[[noreturn]] inline void problem(std::string_view key, const std::string& message) {
+  problem(Pointer{&kLine, key}, message);
 }
 
-[[noreturn]] inline void unknown_key(const std::string& at, std::string_view key,
+[[noreturn]] inline void unknown_key(const Pointer& at, std::string_view key,
                                      const std::vector<std::string>& known) {
   problem(at, fmt::format("is not known here; did you mean \"{}\"?", nearest_name(key, known)));
 }
@@ -38,23 +55,19 @@ class LineValues {
     }
   }
 
-  static std::string path(const std::string& at, std::string_view key) {
-    return fmt::format("{}/{}", at, key);
-  }
-
-  static std::string_view text(dom::element value, const std::string& at) {
+  static std::string_view text(dom::element value, const Pointer& at) {
     std::string_view result;
     if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a string");
     return result;
   }
 
-  static std::uint64_t count(dom::element value, const std::string& at) {
+  static std::uint64_t count(dom::element value, const Pointer& at) {
     std::uint64_t result = 0;
     if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a number of events: 0, 1, 2, …");
     return result;
   }
 
-  Number number(dom::element value, const std::string& at) const {
+  Number number(dom::element value, const Pointer& at) const {
     double plain = 0;
     std::string_view hex;
     if (minimal_ && value.get(plain) == simdjson::SUCCESS) return Number(plain);
@@ -74,7 +87,7 @@ class LineValues {
     }
   }
 
-  Instant<Number> instant(dom::element value, const std::string& at) const {
+  Instant<Number> instant(dom::element value, const Pointer& at) const {
     double plain = 0;
     if (minimal_ && value.get(plain) == simdjson::SUCCESS) {
       return {Number(plain) - Number(scene_.start_time), Number(0)};
@@ -85,7 +98,7 @@ class LineValues {
     return *result;
   }
 
-  Vec<Number> vector(dom::element value, const std::string& at) const {
+  Vec<Number> vector(dom::element value, const Pointer& at) const {
     dom::array components;
     const auto dimension = static_cast<std::size_t>(scene_.dimension);
     if (value.get(components) != simdjson::SUCCESS || components.size() != dimension) {
@@ -100,19 +113,19 @@ class LineValues {
     return result;
   }
 
-  int particle(std::int64_t id, const std::string& at) const {
+  int particle(std::int64_t id, const Pointer& at) const {
     const auto found =
         id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
     if (found == index_of_.end())
       problem(at, fmt::format("names particle {}, which the scene does not have", id));
     return found->second;
   }
-  int particle(dom::element value, const std::string& at) const {
+  int particle(dom::element value, const Pointer& at) const {
     std::int64_t id = 0;
     if (value.get(id) != simdjson::SUCCESS) problem(at, "is not the id of a particle");
     return particle(id, at);
   }
-  int particle_named(std::string_view key, const std::string& at) const {
+  int particle_named(std::string_view key, const Pointer& at) const {
     std::int64_t id = -1;
     const auto [last, error] = std::from_chars(key.data(), key.data() + key.size(), id);
     if (error != std::errc() || last != key.data() + key.size() || key != std::to_string(id)) {
