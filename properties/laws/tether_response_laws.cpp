@@ -57,7 +57,8 @@ Outcome the_answer_is_that_of_its_equation(Interview& ask, const Case& c) {
   }
   if (k.answer.kind != "revolve")
     return broken("the kind is " + k.answer.kind + "; allowed: retract, revolve");
-  if (k.x.tangential == 0) return broken("a revolution without motion across the axis: û_revolve is 0/0");
+  if (!turns(k.x))
+    return outside("rounding decides, as the condition allows where c_retract |v_n| is as small");
   return at_most("the error of v_AB' by eq. (5)", norm(k.after - revolved(k.x, k.c_revolve, k.theta)),
                  k.error);
 }
