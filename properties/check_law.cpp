@@ -2,6 +2,7 @@
 
 #include <rapidcheck.h>
 
+#include "properties/classify.hpp"
 #include "properties/interview.hpp"
 
 namespace tps::properties {
@@ -69,7 +70,7 @@ std::optional<Finding> check_law(const Law& law, Implementation& subject, const 
     switch (found.outcome.kind) {
       case Outcome::Kind::holds:
         ++tally.held;
-        ++tally.hazards[c.hazard];
+        for (const std::string& hazard : hazards_of(c)) ++tally.hazards[hazard];
         break;
       case Outcome::Kind::outside:
         ++tally.outside;

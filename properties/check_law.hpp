@@ -33,7 +33,7 @@ struct Finding {
 /// What became of the cases of one law.
 struct Tally {
   std::uint64_t held = 0, outside = 0, skipped = 0;
-  std::map<std::string, std::uint64_t> hazards;  ///< cases in which the law held, by what they aimed at
+  std::map<std::string, std::uint64_t> hazards;  ///< cases in which the law held, by hazards_of()
   std::string why_not;                           ///< of the latest case outside, skipped
 };
 

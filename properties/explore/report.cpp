@@ -43,7 +43,7 @@ Json finding_json(const Finding& finding) {
           {"questions", questions}};
 }
 
-std::map<std::string, std::uint64_t> hazards_of(const Exploration& exploration) {
+std::map<std::string, std::uint64_t> counted_hazards(const Exploration& exploration) {
   std::map<std::string, std::uint64_t> sums;
   for (const LawReport& report : exploration.laws) {
     for (const auto& [hazard, count] : report.tally.hazards) sums[hazard] += count;
@@ -111,7 +111,8 @@ std::string exploration_text(const Exploration& exploration) {
                    report.law->text.id);
   }
   text += "cases held by hazard:";
-  for (const auto& [hazard, count] : hazards_of(exploration)) text += fmt::format(" {} {},", hazard, count);
+  for (const auto& [hazard, count] : counted_hazards(exploration))
+    text += fmt::format(" {} {},", hazard, count);
   text.back() = '\n';
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
   return text + fmt::format("{}: {} laws, {} cases held, {} broken; go on with --seed {} --first {}\n",
@@ -131,9 +132,9 @@ std::string exploration_json(const Exploration& exploration) {
     if (report.finding) one["finding"] = finding_json(*report.finding);
     reports.push_back(one);
   }
-  return Json{{"subject", exploration.subject},     {"seed", exploration.plan.seed},
-              {"first", exploration.plan.first},    {"next", exploration.next},
-              {"hazards", hazards_of(exploration)}, {"laws", reports}}
+  return Json{{"subject", exploration.subject},          {"seed", exploration.plan.seed},
+              {"first", exploration.plan.first},         {"next", exploration.next},
+              {"hazards", counted_hazards(exploration)}, {"laws", reports}}
              .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
          "\n";
 }

@@ -18,6 +18,9 @@ namespace {
 
 using Status = ChildProcess::Line::Status;
 
+/// An interpreter may need longer to start than to reply.
+constexpr std::chrono::milliseconds kTimeToStart{10'000};
+
 std::string failure(const ChildProcess::Line& line, const ProgramOptions& options) {
   if (line.status == Status::late) return fmt::format("hung: no reply within {} ms", options.timeout.count());
   if (line.status == Status::too_long) return "garbage: a line without an end: " + line.text;
@@ -57,7 +60,7 @@ class Program final : public Implementation {
       return error.what();
     }
     child_->write_line(R"({"hello":1})");
-    const ChildProcess::Line line = child_->read_line(options_.timeout);
+    const ChildProcess::Line line = child_->read_line(std::max(options_.timeout, kTimeToStart));
     std::string problem;
     if (line.status != Status::line) {
       problem = failure(line, options_);
