@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
 #include "reference/scene/number_text.hpp"
 #include "reference/trace/hexfloat.hpp"
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"
 #include "reference/equations/angle.hpp"

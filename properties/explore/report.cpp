@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -95,7 +96,7 @@ std::string list_json(const std::vector<const Law*>& laws) {
 std::string finding_text(const Finding& finding, const Plan& plan) {
   const LawText& law = finding.law->text;
   std::string text = fmt::format(
-      "{} {}: {}\n  {}, {}\n  {}\n  shrunk:    {}\n  generated: {} (case {} of seed {}, {} steps before)\n",
+      "{} {}: {}\n  {}, {}\n  {}\n  shrunk:    {}\n  generated: {} (case {} of seed {}, {} shrinks before)\n",
       finding.outcome.kind == Outcome::Kind::failed ? "FAILED" : "BROKEN", law.number, law.sentence, law.id,
       law.page, finding.outcome.why, shown(finding.shrunk), shown(finding.generated), finding.number,
       plan.seed, finding.shrinks);

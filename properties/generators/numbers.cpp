@@ -1,6 +1,7 @@
 #include "properties/generators/numbers.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace tps::properties {

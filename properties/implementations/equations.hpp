@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "properties/implementation.hpp"
 #include "reference/equations/eq1_distance.hpp"

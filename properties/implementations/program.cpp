@@ -1,10 +1,10 @@
 #include "properties/implementations/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
-
 #include <functional>
 #include <system_error>
 #include <utility>
@@ -102,7 +102,7 @@ int execute(const std::vector<std::string>& words) {
 std::unique_ptr<Implementation> command(const std::vector<std::string>& words,
                                         const ProgramOptions& options) {
   return std::make_unique<Program>(
-      words.at(0), [words] { return execute(words); }, options);
+      fmt::format("{}", fmt::join(words, " ")), [words] { return execute(words); }, options);
 }
 
 std::unique_ptr<Implementation> shared_library(const std::string& path, const ProgramOptions& options) {

@@ -1,5 +1,6 @@
 // Eqs. (6) and (7) nested: `group`.
 #include <algorithm>
+#include <string>
 
 #include "properties/generators/cases.hpp"
 #include "properties/generators/groups.hpp"

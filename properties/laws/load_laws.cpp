@@ -1,5 +1,6 @@
 // Eq. (6).
 #include <algorithm>
+#include <array>
 
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"

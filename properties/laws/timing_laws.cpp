@@ -1,4 +1,6 @@
 // Eq. (2): what the answers to timing queries say.
+#include <algorithm>
+
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include "properties/explore/explore.hpp"
@@ -220,7 +221,8 @@ void add_properties(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", a->known_answers,
                    "Where known answers to the questions of broken laws go (default of a command or library: "
                    "broken-laws.jsonl)");
-  verb->add_option("--regressions", a->regressions, "Appends the cases of broken laws to this file");
+  verb->add_option("--regressions", a->regressions, "Appends the cases of broken laws to this file")
+      ->take_last();
   verb->add_option("--replay", a->replayed, "Asks the cases of such files again")->take_all();
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->add_flag("--quiet", a->quiet, "No progress");
