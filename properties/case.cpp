@@ -72,6 +72,26 @@ Kind kind_of(std::string_view key) {
   return Kind::component;
 }
 
+bool is_allowed(Kind kind, double x) {
+  constexpr double kLargestIndex = 1000;
+  if (!std::isfinite(x)) return kind == Kind::mass && x > 0;
+  switch (kind) {
+    case Kind::length:
+    case Kind::mass:
+      return x > 0;
+    case Kind::coefficient:
+      return x >= 0 && x <= 1;
+    case Kind::angle:
+      return x >= 1 && x <= 89;
+    case Kind::exponent:
+      return x == std::trunc(x) && std::fabs(x) <= kLargestIndex;
+    case Kind::index:
+      return x == std::trunc(x) && x >= 0 && x <= kLargestIndex;
+    default:
+      return true;
+  }
+}
+
 bool is_vector(std::string_view key) {
   key = without_prefix(key);
   return kind_of(key) == Kind::component && key != "dt" && key != "u" && key != "v";
@@ -90,8 +110,14 @@ Json case_json(const Case& c) {
 Case read_case(const Json& json) {
   try {
     Case c{json.at("dimension").get<int>(), json.at("hazard").get<std::string>()};
+    if (c.dimension != 2 && c.dimension != 3)
+      throw std::invalid_argument(fmt::format("dimension is {}; allowed: 2, 3", c.dimension));
     for (const auto& [key, list] : json.at("numbers").items()) {
-      for (const Json& x : list) c.numbers[key].push_back(read_number(x, key));
+      for (const Json& x : list) {
+        c.numbers[key].push_back(read_number(x, key));
+        if (!is_allowed(kind_of(key), c.numbers[key].back()))
+          throw std::invalid_argument(fmt::format("{} has {}, which is outside its range", key, x.dump()));
+      }
       if (is_vector(key) && static_cast<int>(c.numbers[key].size()) != c.dimension) {
         throw std::invalid_argument(
             fmt::format("{} has {} components in {} dimensions", key, c.numbers[key].size(), c.dimension));

@@ -5,6 +5,23 @@
 #include "properties/law.hpp"
 
 namespace tps::properties {
+namespace {
+
+/// Within an equation by the law's number; equations as they were added.
+void sort_by_number(std::vector<Law>& table) {
+  const auto equation = [](const Law& law) {
+    return law.text.number.substr(0, law.text.number.find(" law "));
+  };
+  const auto number = [](const Law& law) { return law.text.number.substr(law.text.number.rfind(' ')); };
+  for (auto begin = table.begin(); begin != table.end();) {
+    const auto end =
+        std::find_if(begin, table.end(), [&](const Law& law) { return equation(law) != equation(*begin); });
+    std::sort(begin, end, [&](const Law& one, const Law& other) { return number(one) < number(other); });
+    begin = end;
+  }
+}
+
+}  // namespace
 
 const std::vector<Law>& laws() {
   static const std::vector<Law> table = [] {
@@ -21,6 +38,7 @@ const std::vector<Law>& laws() {
     eq6::add_laws(made);
     eq7::add_laws(made);
     group::add_laws(made);
+    sort_by_number(made);
     return made;
   }();
   return table;

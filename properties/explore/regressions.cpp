@@ -22,6 +22,37 @@ std::vector<std::string> law_ids() {
   return ids;
 }
 
+/// The lists of a group go together.
+void check_group(const Case& c) {
+  const auto size = [&](const char* key) { return c.numbers.at(key).size(); };
+  const std::size_t bodies = size("m"), components = bodies * static_cast<std::size_t>(c.dimension);
+  if (bodies < 2 || size("u") != components || size("v") != components)
+    throw std::invalid_argument(
+        "m needs a number for each of two bodies or more, u and v a vector for each in a row");
+  if (size("i") != size("j") || size("i") != size("c"))
+    throw std::invalid_argument("i, j and c need a number for each collision");
+  for (const char* key : {"i", "j"}) {
+    for (const double n : c.numbers.at(key)) {
+      if (n >= static_cast<double>(bodies))
+        throw std::invalid_argument(fmt::format("{} names body {} of {}", key, n, bodies));
+    }
+  }
+}
+
+/// The case has the keys that the law's own cases have, and as many numbers under each.
+void check_numbers(const Law& law, const Case& c) {
+  const Case example = generated_case(law, {}, 0, 0);
+  for (const auto& [key, values] : example.numbers) {
+    if (!c.numbers.contains(key))
+      throw std::invalid_argument(fmt::format("a case of {} needs {}", law.text.id, key));
+    const bool is_single = !example.numbers.contains("m") && !is_vector(key);
+    if (is_single && c.numbers.at(key).size() != 1)
+      throw std::invalid_argument(
+          fmt::format("{} has {} numbers; it has one", key, c.numbers.at(key).size()));
+  }
+  if (example.numbers.contains("m")) check_group(c);
+}
+
 Regression read_regression(const std::string& line) {
   const Json json = Json::parse(line);
   const std::string id = json.at("law").get<std::string>();
@@ -32,12 +63,7 @@ Regression read_regression(const std::string& line) {
                     nearest_name(id, law_ids())));
   }
   const Case c = read_case(json.at("case"));
-  const Case example = generated_case(*law, {}, 0, 0);
-  for (const auto& [key, values] : example.numbers) {
-    if (!c.numbers.contains(key)) throw std::invalid_argument(fmt::format("a case of {} needs {}", id, key));
-    if (!key.ends_with("_A") && is_vector(key) && c.numbers.at(key).empty())
-      throw std::invalid_argument(fmt::format("{} has no components", key));
-  }
+  check_numbers(*law, c);
   return {law, c, json.at("subject").get<std::string>(), json.at("why").get<std::string>()};
 }
 
@@ -121,7 +147,9 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
                                    static_cast<int>(section.size()),
                                    accepted_by(op),
                                    nullptr};
-    text += vectors::header_line(stratum, seed, {0, section.size()});
+    Json header = Json::parse(vectors::header_line(stratum, seed, {0, section.size()}));
+    header["generator"] = "tps properties";
+    text += header.dump() + "\n";
     for (const Json& line : section) text += line.dump() + "\n";
   }
   return text;

@@ -111,12 +111,12 @@ std::string exploration_text(const Exploration& exploration) {
                    report.law->text.number, state_of(report), report.tally.held, report.tally.outside,
                    report.law->text.id);
   }
-  text += "cases held by hazard:";
+  if (exploration.held() > 0) text += "cases held by hazard:";
   for (const auto& [hazard, count] : counted_hazards(exploration))
     text += fmt::format(" {} {},", hazard, count);
-  text.back() = '\n';
+  if (exploration.held() > 0) text.back() = '\n';
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
-  return text + fmt::format("{}: {} laws, {} cases held, {} broken; go on with --seed {} --first {}\n",
+  return text + fmt::format("{}: laws {}, cases held {}, broken {}; go on with --seed {} --first {}\n",
                             exploration.subject, exploration.laws.size(), exploration.held(),
                             exploration.findings().size(), exploration.plan.seed, exploration.next);
 }

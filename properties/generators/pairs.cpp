@@ -61,7 +61,8 @@ Relative aimed(const std::string& hazard, const Axes& axes, double unit, double 
   const Vec3& w = axes.across;
   const double distance = unit * *magnitude(format);
   if (hazard == "graze") {
-    const double offset = std::ldexp(*rc::gen::element(-1.0, 1.0), -*rc::gen::inRange(4, format.bits + 1));
+    const double side = *rc::gen::element(-1.0, 1.0);
+    const double offset = std::ldexp(side, -*rc::gen::inRange(4, format.bits + 1));
     return {(-distance) * n + (unit * (1 + offset)) * w, speed * n};
   }
   if (hazard == "tangent") return {(-distance) * n + unit * w, speed * n};

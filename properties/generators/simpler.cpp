@@ -24,20 +24,6 @@ double complexity(Kind kind, double x) {
   return 2 * significant_bits(x) + std::abs(std::ilogb(x)) + (x < 0 ? 0.5 : 0);
 }
 
-bool allowed(Kind kind, double x) {
-  switch (kind) {
-    case Kind::length:
-    case Kind::mass:
-      return x > 0;
-    case Kind::coefficient:
-      return x >= 0 && x <= 1;
-    case Kind::angle:
-      return x >= 1 && x <= 89;
-    default:
-      return true;
-  }
-}
-
 double with_bits(double x, int bits) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
@@ -57,10 +43,7 @@ std::vector<double> simpler_numbers(Kind kind, double x) {
     }
   }
   const double now = complexity(kind, x);
-  std::erase_if(tries, [&](double y) {
-    const bool whole = kind != Kind::exponent || y == std::trunc(y);
-    return !allowed(kind, y) || !whole || complexity(kind, y) >= now;
-  });
+  std::erase_if(tries, [&](double y) { return !is_allowed(kind, y) || complexity(kind, y) >= now; });
   return tries;
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <system_error>
 #include <utility>
@@ -106,8 +107,9 @@ std::unique_ptr<Implementation> command(const std::vector<std::string>& words,
 }
 
 std::unique_ptr<Implementation> shared_library(const std::string& path, const ProgramOptions& options) {
+  const std::string name = std::filesystem::path(path).filename().string();
   return std::make_unique<Program>(
-      path, [path] { return serve_library(path); }, options);
+      name, [path] { return serve_library(path); }, options);
 }
 
 }  // namespace tps::properties

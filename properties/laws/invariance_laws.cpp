@@ -88,7 +88,7 @@ Vec3 turned(const Vec3& x, int axes, int dimension) {
 // right verdict where rounding does not decide, a time that arrives before the turn, too.
 Outcome rotations(Interview& ask, const Case& c) {
   const PairState other =
-      mapped(c.pair(), [&](const Vec3& x) { return turned(x, c.integer("axes"), c.dimension); });
+      mapped(c.pair(), [&](const Vec3& x) { return turned(x, c.integer("axes") % 4, c.dimension); });
   if (c.dimension == 2) return same_times(ask, "a quarter turn", c, other);
   const auto check = [&](TimingKind kind) {
     const LimitQuery query{kind, c.pair(), c.number("L")};

@@ -17,7 +17,7 @@ void orbiting_pair(Case& c, const Format& format) {
   const bool oblique = c.hazard == "oblique";
   c.set("u_B", oblique ? Vec3{3 * unit, 4 * unit, 0} : Vec3{unit, 0, 0});
   const double speed = *magnitude(format);
-  c.set("v_B", oblique ? Vec3{-4 * speed, 3 * speed, 0} : Vec3{0, speed, 0});
+  c.set("v_B", oblique ? Vec3{format.rounded(-4 * speed), format.rounded(3 * speed), 0} : Vec3{0, speed, 0});
   c.set("L", (oblique ? 5 : 1) * unit);
   c.set(*masses(format));
   c.set("c_retract", *rc::gen::element(0.0, 0.25, 0.5, 0.875));

@@ -66,7 +66,12 @@ TEST(Regressions, WrongFilesSayWhatIsWrong) {
   EXPECT_NE(refusal(law4(numbers, 3)).find("2 components in 3 dimensions"), std::string::npos);
   EXPECT_NE(refusal(law4(R"({"m_A":[1]})", 2)).find("m_A has 1; a number is a hexadecimal float"),
             std::string::npos);
-  EXPECT_NE(refusal(law4(R"({"m_A":[],"m_B":[],"v_A":[],"v_B":[]})", 2)).find("m_A"), std::string::npos);
+  EXPECT_NE(
+      refusal(law4(R"({"m_A":[],"m_B":["inf"],"v_A":["inf","inf"],"v_B":[]})", 2)).find("outside its range"),
+      std::string::npos);
+  EXPECT_NE(refusal(law4(R"({"m_A":[],"m_B":[],"v_A":["0x0p+0","0x0p+0"],"v_B":["0x0p+0","0x0p+0"]})", 2))
+                .find("needs m_A"),
+            std::string::npos);
 }
 
 }  // namespace
