@@ -19,7 +19,7 @@ Vec vec(const Vec3& x) {
   return {x[0], x[1], x[2]};
 }
 Vec any_vector() {
-  return vec(*vector({}, 3));
+  return vec(vector({}, 3));
 }
 
 RC_GTEST_PROP(VectorLaws, Law1TheOppositeIsAsLong, ()) {
@@ -29,7 +29,7 @@ RC_GTEST_PROP(VectorLaws, Law1TheOppositeIsAsLong, ()) {
 
 RC_GTEST_PROP(VectorLaws, Law2PowersOfTwo, ()) {
   const Vec x = any_vector();
-  const int k = *rc::gen::inRange(-900, 900);
+  const int k = whole(-900, 900);
   RC_ASSERT((norm<double, 3>(shifted<double, 3>(x, k))) == std::ldexp(norm<double, 3>(x), k));
 }
 
@@ -47,13 +47,13 @@ RC_GTEST_PROP(CollisionFrameLaws, SwapOfNames, ()) {
 }
 
 RC_GTEST_PROP(CollisionFrameLaws, ReducedMassIsSymmetric, ()) {
-  const Masses m = *masses({});
+  const Masses m = masses({});
   RC_ASSERT(reduced_mass<double>(m.A, m.B) == reduced_mass<double>(m.B, m.A));
 }
 
 // Where 90 − θ is exact both tangents come from the same number t: (1/t)·t is 1 to two roundings.
 RC_GTEST_PROP(AngleLaws, TangentsOfComplementsAreInverse, ()) {
-  const double theta = *revolve_angle({});
+  const double theta = revolve_angle({});
   RC_PRE(theta > 45);
   const long double product =
       static_cast<long double>(tan_degrees<double>(theta)) * tan_degrees<double>(90 - theta);

@@ -1,7 +1,5 @@
 #include "properties/generators/groups.hpp"
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,7 +16,7 @@ std::vector<int> some_links(int links, int count) {
   std::vector<int> order(static_cast<std::size_t>(links));
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t k = order.size(); k > 1; --k)
-    std::swap(order[k - 1], order[static_cast<std::size_t>(*rc::gen::inRange<int>(0, static_cast<int>(k)))]);
+    std::swap(order[k - 1], order[static_cast<std::size_t>(whole(0, static_cast<int>(k)))]);
   order.resize(static_cast<std::size_t>(count));
   return order;
 }
@@ -26,31 +24,31 @@ std::vector<int> some_links(int links, int count) {
 }  // namespace
 
 void put_group(Case& c, const Format& format) {
-  c.dimension = *rc::gen::inRange(2, 4);
-  c.hazard = *rc::gen::element<std::string>("chain", "wall", "pairs", "perpendicular");
-  const int bodies = c.hazard == "pairs" ? 4 : *rc::gen::inRange(2, 6);
-  const auto axis = static_cast<std::size_t>(*rc::gen::inRange(0, c.dimension));
+  c.dimension = whole(2, 4);
+  c.hazard = one_of<std::string>({"chain", "wall", "pairs", "perpendicular"});
+  const int bodies = c.hazard == "pairs" ? 4 : whole(2, 6);
+  const auto axis = static_cast<std::size_t>(whole(0, c.dimension));
   std::vector<double>&m = c.numbers["m"], &u = c.numbers["u"], &v = c.numbers["v"];
-  double along = *number(format);
+  double along = number(format);
   for (int n = 0; n < bodies; ++n) {
     const bool wall = n == 0 && c.hazard == "wall";
-    m.push_back(wall ? HUGE_VAL : *finite_mass(format));
-    const Vec3 across = *vector(format, c.dimension);
+    m.push_back(wall ? HUGE_VAL : finite_mass(format));
+    const Vec3 across = vector(format, c.dimension);
     if (wall) along = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(c.dimension); ++k) {
       u.push_back(k == axis ? 2.0 * n : 0);
       v.push_back(k == axis ? along : wall ? 0 : across[k]);
     }
-    const bool level = c.hazard == "perpendicular" && *rc::gen::arbitrary<bool>();
-    if (!level) along = format.rounded(along - *magnitude(format));
+    const bool level = c.hazard == "perpendicular" && coin();
+    if (!level) along = format.rounded(along - magnitude(format));
   }
   const std::vector<int> order =
-      c.hazard == "pairs" ? std::vector<int>{0, 2, 1} : some_links(bodies - 1, *rc::gen::inRange(1, bodies));
+      c.hazard == "pairs" ? std::vector<int>{0, 2, 1} : some_links(bodies - 1, whole(1, bodies));
   for (const int link : order) {
-    const int turned = *rc::gen::inRange(0, 2);
+    const int turned = whole(0, 2);
     c.numbers["i"].push_back(link + turned);
     c.numbers["j"].push_back(link + 1 - turned);
-    c.numbers["c"].push_back(*coefficient(format));
+    c.numbers["c"].push_back(coefficient(format));
   }
 }
 

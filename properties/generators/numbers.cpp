@@ -1,5 +1,7 @@
 #include "properties/generators/numbers.hpp"
 
+#include <rapidcheck.h>
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -7,98 +9,144 @@
 namespace tps::properties {
 namespace {
 
+/// RapidCheck begins with small ranges; edges are wanted from the first case on.
+template <typename T>
+rc::Gen<T> of_full_size(const rc::Gen<T>& gen) {
+  return rc::gen::resize(rc::kNominalSize, gen);
+}
+
+double power_of_two(int exponent) {
+  return std::ldexp(1.0, exponent);
+}
+
 /// Uniform in [0, 1).
-rc::Gen<double> fraction() {
-  return rc::gen::map(rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 53),
-                      [](std::int64_t bits) { return std::ldexp(static_cast<double>(bits), -53); });
+double fraction() {
+  const auto bits = of_full_size(rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 53));
+  return std::ldexp(static_cast<double>(*bits), -53);
 }
 
-rc::Gen<double> in_format(const Format& format, rc::Gen<double> gen) {
-  return rc::gen::map(std::move(gen), [format](double x) { return format.rounded(x); });
+double any_significand(int largest_exponent) {
+  const double significand = 1 + fraction();
+  return std::ldexp(significand, whole(-largest_exponent, largest_exponent));
 }
 
-rc::Gen<double> any_significand(int exponent) {
-  return rc::gen::map(rc::gen::pair(fraction(), rc::gen::inRange(-exponent, exponent)),
-                      [](const std::pair<double, int>& p) { return std::ldexp(p.first + 1, p.second); });
+/// Which of some weights is drawn: its place.
+int weighted(std::initializer_list<int> weights) {
+  int sum = 0;
+  for (const int weight : weights) sum += weight;
+  int left = whole(0, sum);
+  int place = 0;
+  for (const int weight : weights) {
+    if (left < weight) break;
+    left -= weight;
+    ++place;
+  }
+  return place;
 }
 
-rc::Gen<Masses> pair_of(const Format& format, const rc::Gen<double>& first) {
-  const rc::Gen<Masses> apart = rc::gen::map(rc::gen::pair(first, finite_mass(format)), [](const auto& m) {
-    return Masses{m.first, m.second};
-  });
-  const rc::Gen<Masses> swapped = rc::gen::map(apart, [](const Masses& m) { return Masses{m.B, m.A}; });
-  const rc::Gen<Masses> equal = rc::gen::map(finite_mass(format), [](double m) { return Masses{m, m}; });
-  return rc::gen::weightedOneOf<Masses>({{2, apart}, {2, swapped}, {1, equal}});
+double any_magnitude(const Format& format) {
+  const int e = format.largest_case_exponent();
+  const double next = power_of_two(1 - format.bits);  // relative distance to the next number
+  switch (weighted({2, 2, 1, 1, 2, 2, 4, 2})) {
+    case 0:
+      return 1;
+    case 1:
+      return power_of_two(whole(-e, e));
+    case 2:
+      return power_of_two(whole(-e, e)) * (1 - next / 2);
+    case 3:
+      return power_of_two(whole(-e, e)) * (1 + next);
+    case 4:
+      return whole(1, 100) / 10.0;
+    case 5:
+      return whole(1, 20);
+    case 6:
+      return fraction() + 0.5;
+    default:
+      return any_significand(e / 2);
+  }
+}
+
+Masses pair_of(const Format& format, double first) {
+  const double second = finite_mass(format);
+  switch (weighted({2, 2, 1})) {
+    case 0:
+      return {first, second};
+    case 1:
+      return {second, first};
+    default:
+      return {second, second};
+  }
 }
 
 }  // namespace
 
-rc::Gen<double> magnitude(const Format& format) {
-  const int e = format.largest_case_exponent();
-  const double next = std::ldexp(1.0, 1 - format.bits);  // relative distance to the next number
-  const auto power = [](int k) { return std::ldexp(1.0, k); };
-  return in_format(
-      format,
-      rc::gen::weightedOneOf<double>(
-          {{2, rc::gen::just(1.0)},
-           {2, rc::gen::map(rc::gen::inRange(-e, e), power)},
-           {1, rc::gen::map(rc::gen::inRange(-e, e), [=](int k) { return power(k) * (1 - next / 2); })},
-           {1, rc::gen::map(rc::gen::inRange(-e, e), [=](int k) { return power(k) * (1 + next); })},
-           {2, rc::gen::map(rc::gen::inRange(1, 100), [](int tenths) { return tenths / 10.0; })},
-           {2, rc::gen::map(rc::gen::inRange(1, 20), [](int n) { return static_cast<double>(n); })},
-           {4, rc::gen::map(fraction(), [](double x) { return x + 0.5; })},
-           {2, any_significand(e / 2)}}));
+int whole(int first, int end) {
+  return *of_full_size(rc::gen::inRange(first, end));
+}
+bool coin() {
+  return whole(0, 2) == 1;
 }
 
-rc::Gen<double> number(const Format& format) {
-  return rc::gen::weightedOneOf<double>({{1, rc::gen::just(0.0)},
-                                         {5, magnitude(format)},
-                                         {5, rc::gen::map(magnitude(format), [](double x) { return -x; })}});
+double magnitude(const Format& format) {
+  return format.rounded(any_magnitude(format));
 }
 
-rc::Gen<double> small_integer() {
-  return rc::gen::map(rc::gen::pair(rc::gen::inRange(-12, 13), rc::gen::element(0, 0, 0, -1, 3)),
-                      [](const auto& p) { return std::ldexp(static_cast<double>(p.first), p.second); });
+double number(const Format& format) {
+  const int sign = weighted({1, 5, 5});
+  return sign == 0 ? 0.0 : sign == 1 ? magnitude(format) : -magnitude(format);
 }
 
-rc::Gen<double> coefficient(const Format& format) {
-  return in_format(format, rc::gen::weightedOneOf<double>({{1, rc::gen::just(0.0)},
-                                                           {1, rc::gen::just(1.0)},
-                                                           {1, rc::gen::element(0.5, 0.9, 1e-9)},
-                                                           {3, fraction()}}));
+double small_integer() {
+  const int n = whole(-12, 13);
+  return std::ldexp(n, one_of({0, 0, 0, -1, 3}));
 }
 
-rc::Gen<double> revolve_angle(const Format& format) {
-  return in_format(format, rc::gen::weightedOneOf<double>(
-                               {{1, rc::gen::element(1.0, 30.0, 45.0, 60.0, 89.0)},
-                                {1, rc::gen::map(fraction(), [](double x) { return 1 + 88 * x; })}}));
+double coefficient(const Format& format) {
+  switch (weighted({1, 1, 1, 3})) {
+    case 0:
+      return 0;
+    case 1:
+      return 1;
+    case 2:
+      return format.rounded(one_of({0.5, 0.9, 1e-9}));
+    default:
+      return format.rounded(fraction());
+  }
 }
 
-rc::Gen<double> finite_mass(const Format& format) {
-  const int e = format.bits <= 24 ? 12 : 50;  // 2^50 is 10^15
-  return in_format(format,
-                   rc::gen::weightedOneOf<double>({{1, rc::gen::just(1.0)},
-                                                   {1, rc::gen::element(0.001, 0.5, 2.0, 3.0, 1000.0)},
-                                                   {3, any_significand(e)}}));
+double revolve_angle(const Format& format) {
+  return coin() ? one_of({1.0, 30.0, 45.0, 60.0, 89.0}) : format.rounded(1 + 88 * fraction());
 }
 
-rc::Gen<Masses> masses(const Format& format) {
-  const rc::Gen<double> infinite = rc::gen::just(std::numeric_limits<double>::infinity());
-  return pair_of(format, rc::gen::weightedOneOf<double>({{1, infinite}, {4, finite_mass(format)}}));
+double finite_mass(const Format& format) {
+  constexpr int kThirtyDecades = 50;  // 2^±50 is 10^±15
+  constexpr int kOfSinglePrecision = 12;
+  switch (weighted({1, 1, 3})) {
+    case 0:
+      return 1;
+    case 1:
+      return format.rounded(one_of({0.001, 0.5, 2.0, 3.0, 1000.0}));
+    default:
+      return format.rounded(any_significand(format.bits <= 24 ? kOfSinglePrecision : kThirtyDecades));
+  }
 }
 
-rc::Gen<Masses> finite_masses(const Format& format) {
+Masses masses(const Format& format) {
+  const bool infinite = whole(0, 5) == 0;
+  return pair_of(format, infinite ? std::numeric_limits<double>::infinity() : finite_mass(format));
+}
+
+Masses finite_masses(const Format& format) {
   return pair_of(format, finite_mass(format));
 }
 
-rc::Gen<Vec3> vector(const Format& format, int dimension) {
-  return rc::gen::exec([format, dimension] {
-    const bool integers = *rc::gen::inRange(0, 4) == 0;
-    Vec3 x{};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-      x[k] = integers ? *small_integer() : *number(format);
-    return x;
-  });
+Vec3 vector(const Format& format, int dimension) {
+  const bool integers = whole(0, 4) == 0;
+  Vec3 x{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    x[k] = integers ? small_integer() : number(format);
+  return x;
 }
 
 }  // namespace tps::properties

@@ -1,8 +1,6 @@
 // Pairs of particles about to meet a limit, most of them at an edge of the verdict tables.
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <string>
 #include <vector>
 
@@ -20,7 +18,8 @@ struct AimedPair {
   PairState pair;
   double L;
 };
-rc::Gen<AimedPair> pair_aimed_at(const std::string& hazard, const Format& format, int dimension);
+/// Drawn, like everything in numbers.hpp.
+AimedPair pair_aimed_at(const std::string& hazard, const Format& format, int dimension);
 
 /// Sets u_A, u_B, v_A, v_B and L of a case, aimed at one of the hazards, and says which. Called where a
 /// generator is executed.

@@ -35,7 +35,8 @@ std::vector<double> simpler_numbers(Kind kind, double x) {
   std::vector<double> tries{0, 1, 0.5, 45, 30};
   if (std::isfinite(x) && x != 0) {
     const int exponent = std::ilogb(x);
-    tries.insert(tries.end(), {std::copysign(1, x), -x, std::trunc(x), std::ldexp(x, -exponent)});
+    tries.insert(tries.end(), {std::copysign(1, x), -x, std::trunc(x), std::ldexp(x, -exponent),
+                               std::ldexp(x, exponent > 0 ? -1 : 1)});
     if (kind != Kind::exponent) tries.push_back(std::ldexp(x, -exponent / 2));
     for (const int bits : {1, 2, 3, 5, 8, 16, 30, 45, 52}) {
       tries.push_back(with_bits(x, bits));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "properties/implementation.hpp"
@@ -19,13 +20,16 @@
 
 namespace tps::properties {
 
-/// One question in D dimensions.
+/// Of an operation that has neither.
+inline const Json kNoVector = Json::array({0, 0, 0});
+
+/// One question in D dimensions, or a planar one in space with z = 0.
 template <typename Scalar, int D>
 class Equations {
  public:
   using Vec = Vector<Scalar, D>;
 
-  explicit Equations(const Json& in) : in_(in) {}
+  Equations(const Json& in, int dimension) : in_(in), dimension_(dimension) {}
 
   Answer answer(const std::string& op) {
     if (op == "distance")
@@ -61,9 +65,9 @@ class Equations {
     const std::string& text = value.get_ref<const std::string&>();
     return static_cast<Scalar>(text == "inf" ? HUGE_VAL : parse_hex_float(text).value);
   }
-  static Vec vec(const Json& value) {
-    Vec x;
-    for (int k = 0; k < D; ++k) x[k] = scalar(value.at(static_cast<std::size_t>(k)));
+  Vec vec(const Json& value) const {
+    Vec x = Vec::Zero();
+    for (int k = 0; k < dimension_; ++k) x[k] = scalar(value.at(static_cast<std::size_t>(k)));
     return x;
   }
   Scalar number(const char* key) const { return scalar(in_.at(key)); }
@@ -77,7 +81,7 @@ class Equations {
   }
   Json hex(const Vec& x) {
     Json list = Json::array();
-    for (int k = 0; k < D; ++k) list.push_back(hex(Scalar(x[k])));
+    for (int k = 0; k < dimension_; ++k) list.push_back(hex(Scalar(x[k])));
     return list;
   }
   void time(const CollisionTime<Scalar>& at) {
@@ -163,6 +167,7 @@ class Equations {
   }
 
   const Json& in_;
+  int dimension_;
   Json out_ = Json::object();
   std::string refusal_;
 };
@@ -176,11 +181,15 @@ class EquationsIn final : public Implementation {
   Format format() const override { return Format::of_bits(std::numeric_limits<Scalar>::digits); }
   Answer ask(const Question& question) override {
     const Json& in = question.in;
-    const Json& vector = in.contains("v_A")      ? in.at("v_A")
-                         : in.contains("bodies") ? in.at("bodies").at(0).at("v")
-                                                 : in;
-    if (vector.size() == 2 && vector.is_array()) return Equations<Scalar, 2>(in).answer(question.op);
-    return Equations<Scalar, 3>(in).answer(question.op);
+    const Json& vector = in.contains("bodies") ? in.at("bodies").at(0).at("v")
+                         : in.contains("v_A")  ? in.at("v_A")
+                                               : kNoVector;
+    const auto dimension = static_cast<int>(vector.size());
+    // Each combination takes seconds to compile: wide scalars have space alone.
+    if constexpr (std::is_floating_point_v<Scalar>) {
+      if (dimension == 2) return Equations<Scalar, 2>(in, dimension).answer(question.op);
+    }
+    return Equations<Scalar, 3>(in, dimension).answer(question.op);
   }
 
  private:

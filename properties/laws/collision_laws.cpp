@@ -11,15 +11,15 @@ namespace {
 void colliding_pair(Case& c, const Format& format) {
   put_pair(c, format);
   c.numbers.erase("L");
-  c.set(*masses(format));
-  c.set("c", *coefficient(format));
+  c.set(masses(format));
+  c.set("c", coefficient(format));
 }
 
 void with_powers(Case& c, const Format& format) {
   colliding_pair(c, format);
   const int most = format.largest_case_exponent() / 2;
   for (const char* key : {"power_of_lengths", "power_of_speeds", "power_of_masses"})
-    c.set(key, *rc::gen::inRange(-most, most + 1));
+    c.set(key, whole(-most, most + 1));
 }
 
 /// The response of a case: relative velocity afterwards, v_AB − Δp/μ, exactly from the Δp that was answered.

@@ -11,7 +11,7 @@ namespace {
 void flight(Case& c, const Format& format) {
   put_pair(c, format);
   c.numbers.erase("L");
-  c.set("dt", *number(format));
+  c.set("dt", number(format));
 }
 
 Outcome swap_of_distance(Interview& ask, const Case& c) {

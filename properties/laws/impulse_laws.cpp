@@ -8,13 +8,13 @@ namespace tps::properties::eq3 {
 namespace {
 
 void pushed_pair(Case& c, const Format& format) {
-  c.dimension = *rc::gen::inRange(2, 4);
-  c.hazard = *rc::gen::element<std::string>("finite_masses", "infinite_mass", "equal_masses");
-  Masses m = *finite_masses(format);
+  c.dimension = whole(2, 4);
+  c.hazard = one_of<std::string>({"finite_masses", "infinite_mass", "equal_masses"});
+  Masses m = finite_masses(format);
   if (c.hazard == "equal_masses") m.B = m.A;
-  if (c.hazard == "infinite_mass") (*rc::gen::arbitrary<bool>() ? m.A : m.B) = HUGE_VAL;
+  if (c.hazard == "infinite_mass") (coin() ? m.A : m.B) = HUGE_VAL;
   c.set(m);
-  for (const char* key : {"v_A", "v_B", "dp"}) c.set(key, *vector(format, c.dimension));
+  for (const char* key : {"v_A", "v_B", "dp"}) c.set(key, vector(format, c.dimension));
 }
 
 Velocities after(Interview& ask, const Case& c) {

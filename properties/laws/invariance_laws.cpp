@@ -28,7 +28,7 @@ Outcome swap_of_names(Interview& ask, const Case& c) {
 void with_powers(Case& c, const Format& format) {
   put_pair(c, format);
   const int most = format.largest_case_exponent() * 2 / 3;
-  c.set("power", *rc::gen::inRange(-most, most));
+  c.set("power", whole(-most, most));
 }
 
 Outcome powers_of_two(Interview& ask, const Case& c) {
@@ -48,7 +48,7 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
 
 void with_signs(Case& c, const Format& format) {
   put_pair(c, format);
-  c.set("axes", *rc::gen::inRange(1, 8));
+  c.set("axes", whole(1, 8));
 }
 
 template <typename Map>
@@ -69,7 +69,7 @@ Outcome reflections(Interview& ask, const Case& c) {
 
 void with_rotation(Case& c, const Format& format) {
   put_pair(c, format);
-  c.set("axes", *rc::gen::inRange(0, 4));
+  c.set("axes", whole(0, 4));
 }
 
 /// A quarter turn in the plane; in space one about an axis, or the cycle of all three.
@@ -102,14 +102,14 @@ Outcome rotations(Interview& ask, const Case& c) {
 }
 
 void in_motion(Case& c, const Format& format) {
-  if (*rc::gen::arbitrary<bool>()) {
+  if (coin()) {
     put_pair(c, format);
   } else {
     put_integer_pair(c);
   }
   const auto offset = [&] {
     Vec3 x{};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(c.dimension); ++k) x[k] = *small_integer();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(c.dimension); ++k) x[k] = small_integer();
     return x;
   };
   c.set("u_offset", offset());

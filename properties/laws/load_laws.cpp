@@ -11,13 +11,13 @@ namespace tps::properties::eq6 {
 namespace {
 
 void loaded_pair(Case& c, const Format& format) {
-  c.dimension = *rc::gen::inRange(2, 4);
-  const Masses m = *masses(format);
+  c.dimension = whole(2, 4);
+  const Masses m = masses(format);
   c.hazard = std::isinf(m.A) || std::isinf(m.B) ? "infinite_mass"
              : m.A == m.B                       ? "equal_masses"
                                                 : "finite_masses";
   c.set(m);
-  for (const char* key : {"v_A", "v_B"}) c.set(key, *vector(format, c.dimension));
+  for (const char* key : {"v_A", "v_B"}) c.set(key, vector(format, c.dimension));
 }
 
 std::array<Wide, 3> loaded(Interview& ask, const Case& c) {

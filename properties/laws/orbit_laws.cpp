@@ -12,16 +12,16 @@ constexpr double kTheta = 45;
 
 void orbiting_pair(Case& c, const Format& format) {
   c.dimension = 2;
-  c.hazard = *rc::gen::element<std::string>("along_an_axis", "oblique");
-  const double unit = std::ldexp(1.0, *rc::gen::inRange(-3, 4));
+  c.hazard = one_of<std::string>({"along_an_axis", "oblique"});
+  const double unit = std::ldexp(1.0, whole(-3, 4));
   const bool oblique = c.hazard == "oblique";
   c.set("u_B", oblique ? Vec3{3 * unit, 4 * unit, 0} : Vec3{unit, 0, 0});
-  const double speed = *magnitude(format);
+  const double speed = magnitude(format);
   c.set("v_B", oblique ? Vec3{format.rounded(-4 * speed), format.rounded(3 * speed), 0} : Vec3{0, speed, 0});
   c.set("L", (oblique ? 5 : 1) * unit);
-  c.set(*masses(format));
-  c.set("c_retract", *rc::gen::element(0.0, 0.25, 0.5, 0.875));
-  c.set("c_revolve", *rc::gen::element(1.0, 0.5, 0.75, 0.9375, 0.0625));
+  c.set(masses(format));
+  c.set("c_retract", one_of({0.0, 0.25, 0.5, 0.875}));
+  c.set("c_revolve", one_of({1.0, 0.5, 0.75, 0.9375, 0.0625}));
 }
 
 /// B as seen from A, which is put to rest in the origin before each question.

@@ -30,28 +30,28 @@ void put_query(Case& c, const std::string& prefix, const LimitQuery& q) {
 }
 
 TimingKind any_kind() {
-  return *rc::gen::element(TimingKind::block, TimingKind::tether);
+  return one_of({TimingKind::block, TimingKind::tether});
 }
 
 LimitQuery any_query(int dimension, const Format& format) {
-  const AimedPair aim = *pair_aimed_at(*rc::gen::elementOf(pair_hazards()), format, dimension);
+  const AimedPair aim = pair_aimed_at(one_of(pair_hazards()), format, dimension);
   return {any_kind(), aim.pair, aim.L};
 }
 
 /// The same time by other numbers, or one that is a bit away.
 LimitQuery next_to(LimitQuery q, const std::string& hazard, const Format& format) {
-  const int power = *rc::gen::inRange(-6, 7);
+  const int power = whole(-6, 7);
   q.pair = scaled(q.pair, power, power);
   q.L = std::ldexp(q.L, power);
-  if (*rc::gen::arbitrary<bool>()) q.pair = swapped(q.pair);
+  if (coin()) q.pair = swapped(q.pair);
   if (hazard == "one_bit") q.L = format.rounded(q.L * (1 + std::ldexp(1.0, 1 - format.bits)));
   return q;
 }
 
 /// Queries of neighbouring times, under the first prefixes.
 void put_queries(Case& c, const Format& format, std::size_t count) {
-  c.dimension = *rc::gen::inRange(2, 4);
-  c.hazard = *rc::gen::element<std::string>("unrelated", "same_time", "one_bit");
+  c.dimension = whole(2, 4);
+  c.hazard = one_of<std::string>({"unrelated", "same_time", "one_bit"});
   const LimitQuery first = any_query(c.dimension, format);
   put_query(c, kPrefixes[0], first);
   for (std::size_t n = 1; n < count; ++n) {
@@ -62,7 +62,7 @@ void put_queries(Case& c, const Format& format, std::size_t count) {
 
 void one_query(Case& c, const Format& format) {
   put_queries(c, format, 1);
-  c.set("power", *rc::gen::inRange(-6, 7));
+  c.set("power", whole(-6, 7));
 }
 void two_queries(Case& c, const Format& format) {
   put_queries(c, format, 2);

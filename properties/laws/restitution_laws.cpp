@@ -8,13 +8,13 @@ namespace tps::properties::eq7 {
 namespace {
 
 void pair_with_impulse(Case& c, const Format& format) {
-  c.dimension = *rc::gen::inRange(2, 4);
-  const Masses m = *masses(format);
+  c.dimension = whole(2, 4);
+  const Masses m = masses(format);
   c.hazard = std::isinf(m.A) || std::isinf(m.B) ? "infinite_mass"
              : m.A == m.B                       ? "equal_masses"
                                                 : "finite_masses";
   c.set(m);
-  for (const char* key : {"v_A", "v_B", "dp"}) c.set(key, *vector(format, c.dimension));
+  for (const char* key : {"v_A", "v_B", "dp"}) c.set(key, vector(format, c.dimension));
 }
 
 /// |Δp| + μ|v_AB|.

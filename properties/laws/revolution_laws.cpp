@@ -11,16 +11,16 @@ namespace {
 void revolving_pair(Case& c, const Format& format) {
   put_pair(c, format);
   c.numbers.erase("L");
-  c.set(*masses(format));
-  c.set("c_revolve", *coefficient(format));
-  c.set("theta_revolve_deg", *revolve_angle(format));
+  c.set(masses(format));
+  c.set("c_revolve", coefficient(format));
+  c.set("theta_revolve_deg", revolve_angle(format));
 }
 
 void with_powers(Case& c, const Format& format) {
   revolving_pair(c, format);
   const int most = format.largest_case_exponent() / 2;
   for (const char* key : {"power_of_lengths", "power_of_speeds", "power_of_masses"})
-    c.set(key, *rc::gen::inRange(-most, most + 1));
+    c.set(key, whole(-most, most + 1));
 }
 
 Encounter turning_encounter(const Case& c) {

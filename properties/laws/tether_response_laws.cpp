@@ -17,10 +17,10 @@ void pulled_pair(Case& c, const Format& format) {
   double h = 0;
   for (std::size_t k = 0; k < 3; ++k) h += (p.u_B[k] - p.u_A[k]) * (p.v_B[k] - p.v_A[k]);
   if (h < 0) c.set(PairState{p.u_A, p.u_B, p.v_B, p.v_A});
-  c.set(*masses(format));
-  c.set("c_retract", *coefficient(format));
-  c.set("c_revolve", *coefficient(format));
-  c.set("theta_revolve_deg", *revolve_angle(format));
+  c.set(masses(format));
+  c.set("c_retract", coefficient(format));
+  c.set("c_revolve", coefficient(format));
+  c.set("theta_revolve_deg", revolve_angle(format));
 }
 
 struct Pull {

@@ -39,7 +39,7 @@ Outcome a_larger_limit_is_not_later(Interview& ask, const Case& c) {
 
 void two_limits(Case& c, const Format& format) {
   put_pair(c, format);
-  const double factor = 1 + std::ldexp(1.0, *rc::gen::inRange(6 - format.bits, 3));
+  const double factor = 1 + std::ldexp(1.0, whole(6 - format.bits, 3));
   c.set("L_larger", format.rounded(c.number("L") * factor));
 }
 
