@@ -42,7 +42,13 @@ Outcome normal_turns_and_tangential_stays(Interview& ask, const Case& c) {
   return at_most("the error of v_AB'", norm(k.after - expected), k.error);
 }
 
+/// Refuses a pair at one point, to which eq. (4) has no answer.
+void require_axis(const Case& c) {
+  static_cast<void>(Encounter(c.pair()));
+}
+
 Outcome the_impulse_is_opposite(Interview& ask, const Case& c) {
+  require_axis(c);
   return same("Δp with the names exchanged",
               opposite(ask.collision_impulse(swapped(c.pair()), swapped(c.masses()), c.number("c"))),
               ask.collision_impulse(c.pair(), c.masses(), c.number("c")));
@@ -62,6 +68,7 @@ Outcome angular_momentum_is_conserved(Interview& ask, const Case& c) {
 }
 
 Outcome powers_of_two(Interview& ask, const Case& c) {
+  require_axis(c);
   const int speeds = c.integer("power_of_speeds"), of_masses = c.integer("power_of_masses");
   const Masses m = c.masses();
   const WideVector dp =

@@ -94,7 +94,7 @@ Outcome rotations(Interview& ask, const Case& c) {
     const LimitQuery query{kind, c.pair(), c.number("L")};
     const Time at = ask.time(query);
     const Time of_turned = ask.time({kind, other, c.number("L")});
-    if (certain_verdict(kind, Coefficients(query), ask.u()) && at.verdict != of_turned.verdict)
+    if (certain_verdict(query, ask.u()) && at.verdict != of_turned.verdict)
       return broken("turned: " + text(of_turned) + "; before: " + text(at));
     return arrives(query, of_turned, ask.u());
   };

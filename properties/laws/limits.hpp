@@ -2,6 +2,9 @@
 // follows for landings and verdicts. Heavy header: only sources of laws include it.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
 #include <optional>
 
 #include "properties/laws/compare.hpp"
@@ -34,21 +37,47 @@ inline Wide landing_error(const Coefficients& q, const Wide& u) {
   return 20 * u * (q.distance + q.L) * kSlack;
 }
 
+/// Whether h and the sign of c come out without rounding, ties included: every length R units or less, every
+/// speed V units or less, so that no term has more than 16 R² V² units, which the format holds.
+inline bool is_exact(const LimitQuery& q, const Wide& u) {
+  const auto size_in_units = [](std::initializer_list<const Vec3*> vectors) {
+    double largest = 0;
+    int unit = std::numeric_limits<int>::max();
+    for (const Vec3* x : vectors) {
+      for (const double component : *x) {
+        if (component == 0) continue;
+        largest = std::max(largest, std::fabs(component));
+        int exponent = std::ilogb(component);
+        while (std::ldexp(component, -exponent) != std::trunc(std::ldexp(component, -exponent))) --exponent;
+        unit = std::min(unit, exponent);
+      }
+    }
+    return largest == 0 ? Wide(0) : ldexp(Wide(largest), -unit);
+  };
+  const Vec3 limit{q.L, 0, 0};
+  const Wide R = size_in_units({&q.pair.u_A, &q.pair.u_B, &limit}),
+             V = size_in_units({&q.pair.v_A, &q.pair.v_B});
+  return 16 * (2 * R) * (2 * R) * (2 * V) * (2 * V) * u <= 1;
+}
+
 /// The verdict that every stable evaluation finds; absent where rounding may decide. Errors: h 5u |r||v| (its
-/// sum 3u, r and v 1u each); c 8u (|r| + L)²; D as for landing_error(), by either form: u (37 a L² + 4 |r ×
-/// v|² + 6 |r × v||r||v|).
-inline std::optional<exact::Verdict> certain_verdict(TimingKind kind, const Coefficients& q, const Wide& u) {
+/// sum 3u, r and v 1u each); c 8u (|r| + L)²; none of both where is_exact(); D as for landing_error(), by
+/// either form: u (37 a L² + 4 |r × v|² + 6 |r × v||r||v|).
+inline std::optional<exact::Verdict> certain_verdict(const LimitQuery& query, const Wide& u) {
   using exact::Sign;
+  const Coefficients q(query);
   if (q.a == 0) return exact::Verdict::static_pair;
   const auto sign = [](const Wide& x, const Wide& error) {
+    if (error == 0 && x == 0) return Sign::zero;
     return x > error ? Sign::positive : x < -error ? Sign::negative : Sign::uncertain;
   };
   const Wide speed = sqrt(q.a);
   const Wide crossed = norm(cross(q.r, q.v));
   const Wide reach = q.distance + q.L;
+  const Wide rounding = is_exact(query, u) ? Wide(0) : Wide(u * kSlack);
   const Wide error_D = 37 * q.a * q.L * q.L + 4 * crossed * crossed + 6 * crossed * q.distance * speed;
-  return exact::decide(kind, sign(q.h, 5 * u * q.distance * speed * kSlack),
-                       sign(q.c, 8 * u * reach * reach * kSlack), sign(q.D, u * error_D * kSlack));
+  return exact::decide(query.kind, sign(q.h, 5 * rounding * q.distance * speed),
+                       sign(q.c, 8 * rounding * reach * reach), sign(q.D, u * error_D * kSlack));
 }
 
 /// At its time a `hit` is at the limit, a `turning` at the closest approach: h + a t errs by 11u |r||v| (h

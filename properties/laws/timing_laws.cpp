@@ -63,7 +63,7 @@ Outcome a_time_goes_with_its_verdict(Interview& ask, const Case& c) {
 Outcome away_from_boundaries_the_verdict_is_right(Interview& ask, const Case& c) {
   int uncertain = 0;
   const Outcome both = for_both(c, [&](const LimitQuery& q) {
-    const auto certain = certain_verdict(q.kind, Coefficients(q), ask.u());
+    const auto certain = certain_verdict(q, ask.u());
     if (certain) return same("verdict, and the right one", ask.time(q).verdict, std::string(name(*certain)));
     ++uncertain;
     return Outcome{};
@@ -93,12 +93,13 @@ void add_laws(std::vector<Law>& laws) {
        kBoth,
        cases(put_pair),
        a_time_goes_with_its_verdict});
-  laws.push_back(
-      {{"Eq2Laws.Law6AwayFromBoundariesTheVerdictIsRight", "(2) law 6",
-        "where h, c and D exceed the errors of a stable evaluation the verdict is the exact one", page},
-       kBoth,
-       cases(put_pair),
-       away_from_boundaries_the_verdict_is_right});
+  laws.push_back({{"Eq2Laws.Law6AwayFromBoundariesTheVerdictIsRight", "(2) law 6",
+                   "where rounding cannot decide, by the errors of a stable evaluation or since there is "
+                   "none, the verdict is the exact one",
+                   page},
+                  kBoth,
+                  cases(put_pair),
+                  away_from_boundaries_the_verdict_is_right});
 }
 
 }  // namespace tps::properties::timing

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "tests/support/shell.hpp"
@@ -89,6 +90,8 @@ TEST_F(Foreign, BrokenCasesAreReplayed) {
 struct Failure {
   const char* mode;
   const char* says;
+
+  friend std::ostream& operator<<(std::ostream& out, const Failure& failure) { return out << failure.mode; }
 };
 
 class FailingProgram : public Foreign, public testing::WithParamInterface<Failure> {};
@@ -121,14 +124,14 @@ TEST_F(Foreign, AProgramThatIsNotThereIsTheOtherPrograms) {
 }
 
 TEST_F(Foreign, ARightLibraryPasses) {
-  const Process right = properties("--cases 60 --library " TPS_EXAMPLE);
+  const Process right = properties("--cases 250 --library " TPS_EXAMPLE);
   EXPECT_EQ(right.exit_code, 0) << right.text;
   expect_text(right, "(5) law 6              holds");
   expect_text(right, "order law 1            not offered");
 }
 
 TEST_F(Foreign, ABrokenLibraryIsFound) {
-  const Process wrong = properties("--cases 60 --library " TPS_BROKEN_EXAMPLE);
+  const Process wrong = properties("--cases 250 --library " TPS_BROKEN_EXAMPLE);
   EXPECT_EQ(wrong.exit_code, 1) << wrong.text;
   expect_text(wrong, "BROKEN (4) law 1");
   expect_text(wrong, "BROKEN tether response law 1");
