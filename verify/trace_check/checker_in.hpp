@@ -182,6 +182,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   judge_flight(c, event);
   judge_bystanders(c, event);
   bodies_.reset();
+  expected_ = {};
   if (event.j >= 0) bodies_ = bodies_now(model_, event);
   const bool apart = !bodies_ || bodies_->distance() > W(0);
   tally_.demand(Rule::contact, apart, [&](Finding& f) {

@@ -123,7 +123,21 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
   anchor.placed = true;
   ++anchor.number;
   cells_[anchor.cell].push_back(i);
-  if (speed_squared > 0) expiries_.push({now + slack_ / std::sqrt(speed_squared), i, anchor.number});
+  anchor.expires = speed_squared > 0 ? now + slack_ / std::sqrt(speed_squared) : HUGE_VAL;
+  if (std::isinf(anchor.expires)) return;
+  expiries_.push({anchor.expires, i, anchor.number});
+  if (expiries_.size() > 4 * anchors_.size()) forget_old_expiries();
+}
+
+/// A slow particle that is often hit leaves expiries of the far future behind.
+void Neighbours::forget_old_expiries() {
+  std::vector<Due> live;
+  for (std::size_t n = 0; n < anchors_.size(); ++n) {
+    const Anchor& anchor = anchors_[n];
+    if (anchor.placed && !std::isinf(anchor.expires))
+      live.push_back({anchor.expires, static_cast<int>(n), anchor.number});
+  }
+  expiries_ = decltype(expiries_)(std::greater<>(), std::move(live));
 }
 
 std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {

@@ -42,6 +42,7 @@ class Neighbours {
     Cell cell{};
     bool placed = false;
     std::uint32_t number = 0;  ///< of anchors that the particle has had
+    double expires = 0;        ///< infinity: never
   };
   struct Due {
     double t;
@@ -52,6 +53,7 @@ class Neighbours {
 
   void choose_cells(const Scene& scene);
   void remove(int i);
+  void forget_old_expiries();
 
   int dimension_;
   std::vector<bool> in_grid_;
