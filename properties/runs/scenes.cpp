@@ -1,0 +1,279 @@
+#include "properties/runs/scenes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "reference/scene/write_scene.hpp"
+
+namespace tps::properties {
+namespace {
+
+using Site = std::array<int, 3>;
+using Choice = Wanted::Choice;
+
+/// −most … most, shrinking to 0 and to positive numbers.
+rc::Gen<int> around_zero(int most) {
+  return rc::gen::map(rc::gen::inRange(0, 2 * most + 1),
+                      [](int n) { return n % 2 == 0 ? n / 2 : -(n + 1) / 2; });
+}
+
+/// True once in `many`, shrinking to false.
+bool once_in(int many) {
+  return *rc::gen::inRange(0, many) == many - 1;
+}
+
+double thousandth() {
+  return *rc::gen::inRange(0, 1001) / 1000.0;
+}
+
+double coefficient_of(const Wanted& wanted) {
+  if (!wanted.dissipation) return 1;
+  const double edge = *rc::gen::element(1.0, 0.0, 0.5, 0.9, 0.05, 2.0);
+  return edge == 2.0 ? thousandth() : edge;
+}
+
+double mass_of_species() {
+  const int decades = *rc::gen::element(0, 0, 0, 3, 12);
+  if (decades == 0) return *rc::gen::inRange(1, 4);
+  return *rc::gen::inRange(1, 10) * std::pow(10.0, *around_zero(decades));
+}
+
+/// Distances in units of the lattice's spacing. Neighbours start 1 apart, give or take what `shift` allows.
+struct Limits {
+  double inner, outer;
+  bool shifted;  ///< particles may be off their sites by 1/16 a coordinate
+};
+
+Limits limits(const Wanted& wanted) {
+  if (!wanted.ties) return *rc::gen::element(Limits{0.75, 1.5, true}, Limits{0.25, 2, true});
+  const double tight = std::ldexp(1.0, -12);
+  return *rc::gen::element(Limits{0.75, 1.5, true}, Limits{1, 1.5, false}, Limits{0.5, 1, false},
+                           Limits{1 - tight, 1 + tight, false}, Limits{0.25, 2, true});
+}
+
+FormRule form_rule(const Wanted& wanted) {
+  using When = FormRule::When;
+  if (!wanted.changing_tethers) return {When::never, 1};
+  const When when = wanted.draws ? *rc::gen::element(When::never, When::always, When::probability)
+                                 : *rc::gen::element(When::never, When::always);
+  return {when, when == When::probability ? thousandth() : 1};
+}
+
+/// Thresholds of the size that impulses have where masses and speeds are small whole numbers.
+BreakRule break_rule(const Wanted& wanted, double unit) {
+  using When = BreakRule::When;
+  BreakRule rule;
+  if (!wanted.changing_tethers) return rule;
+  rule.when = wanted.draws ? *rc::gen::element(When::never, When::never, When::always, When::probability,
+                                               When::impulse_above)
+                           : *rc::gen::element(When::never, When::never, When::always, When::impulse_above);
+  if (rule.when == When::probability) rule.probability = thousandth();
+  if (rule.when == When::impulse_above) rule.threshold = unit * *rc::gen::inRange(0, 4);
+  return rule;
+}
+
+TetheringLaw tethering_law(const Wanted& wanted, double distance, double unit) {
+  TetheringLaw law;
+  law.distance = distance;
+  law.c_retract = coefficient_of(wanted);
+  law.c_revolve = coefficient_of(wanted);
+  law.theta_revolve_deg =
+      wanted.dissipation ? *rc::gen::element(45.0, 30.0, 60.0, 1.0, 89.0, 1e-6, 89.999999) : 1e-6;
+  law.form = form_rule(wanted);
+  law.breaks = break_rule(wanted, unit);
+  return law;
+}
+
+/// Puts a scene together, one choice after the other.
+class Assembly {
+ public:
+  explicit Assembly(const Wanted& wanted) : wanted_(wanted) {}
+
+  Scene scene() {
+    scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : *rc::gen::element(2, 3);
+    scene_.duration = *rc::gen::inRange(1, 9);
+    unit_ = *rc::gen::element(1.0, 0.1, 3.0, std::ldexp(1.0, -20));
+    const double away = wanted_.ties ? unit_ * *rc::gen::element(0, 0, 0, 1000, 1 << 20) : 0;
+    origin_ = {away, -away, scene_.dimension == 3 ? away : 0};
+    limits_ = limits(wanted_);
+    irregular_ = !wanted_.ties || *rc::gen::arbitrary<bool>();
+    add_species();
+    add_sites();
+    if (wanted_.infinite_masses) add_infinite_masses();
+    add_laws();
+    add_tethers();
+    if (wanted_.grouping == Choice::always || (wanted_.grouping == Choice::maybe && once_in(2))) {
+      scene_.grouping = Grouping{*rc::gen::element(0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10))};
+    }
+    if (wanted_.outside) {
+      add_impulses();
+      add_phase();
+    }
+    if (wanted_.draws) scene_.seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
+    return scene_;
+  }
+
+ private:
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+  void add_species() {
+    const int count = *rc::gen::inRange(1, 4);
+    for (int n = 0; n < count; ++n) {
+      Species s{std::string(1, static_cast<char>('a' + n)), mass_of_species(), unit_ * limits_.inner / 2, {}};
+      if (wanted_.changing_tethers && once_in(4)) s.max_tethers = *rc::gen::inRange(1, 3);
+      scene_.species.push_back(s);
+    }
+    finite_species_ = count;
+  }
+
+  /// Pair, row, sheet, ring of four, block.
+  static std::array<int, 3> box(int dimension) {
+    const std::array<int, 3> flat =
+        *rc::gen::element(std::array{2, 1, 1}, std::array{3, 1, 1}, std::array{4, 1, 1}, std::array{2, 2, 1},
+                          std::array{6, 1, 1}, std::array{3, 2, 1}, std::array{4, 2, 1}, std::array{2, 2, 2});
+    return dimension == 2 && flat[2] > 1 ? std::array{3, 2, 1} : flat;
+  }
+
+  void add_sites() {
+    box_ = box(scene_.dimension);
+    const bool one_moves = once_in(5);
+    for (int z = 0; z < box_[2]; ++z) {
+      for (int y = 0; y < box_[1]; ++y) {
+        for (int x = 0; x < box_[0]; ++x) {
+          const bool rests = one_moves && !sites_.empty();
+          add_particle(*rc::gen::inRange(0, finite_species_), {x, y, z}, limits_.shifted,
+                       rests ? Coordinates{} : velocity());
+        }
+      }
+    }
+  }
+
+  Coordinates velocity() {
+    Coordinates v{};
+    for (int k = 0; k < scene_.dimension; ++k) {
+      v[at(k)] = unit_ * (irregular_ ? *around_zero(3000) / 997.0 : *around_zero(3));
+    }
+    return v;
+  }
+
+  void add_particle(int species, const Site& site, bool shifted, const Coordinates& v) {
+    Particle p{static_cast<std::int32_t>(scene_.particles.size()), species, origin_, v};
+    for (int k = 0; k < scene_.dimension; ++k) {
+      const double shift = shifted ? *around_zero(irregular_ ? 16 : 1) / (irregular_ ? 263.0 : 16.0) : 0;
+      p.position[at(k)] += unit_ * (site[at(k)] + shift);
+    }
+    scene_.particles.push_back(p);
+    sites_.push_back(site);
+  }
+
+  /// Walls are neighbours of the lattice's first or last site; an enclosure has its centre amid it. All share
+  /// one velocity.
+  void add_infinite_masses() {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const bool wall = once_in(4);
+    const bool enclosure = once_in(4);
+    if (!wall && !enclosure) return;
+    const Coordinates v = once_in(3) ? velocity() : Coordinates{};
+    if (wall) {
+      wall_ = static_cast<int>(scene_.species.size());
+      scene_.species.push_back({"wall", infinite, unit_ * limits_.inner / 2, {}});
+      add_particle(wall_, {-1, 0, 0}, false, v);
+      if (once_in(2)) add_particle(wall_, {box_[0], 0, 0}, false, v);
+    }
+    if (enclosure) {
+      enclosure_ = static_cast<int>(scene_.species.size());
+      scene_.species.push_back({"enclosure", infinite, unit_ * 8, {}});
+      add_particle(enclosure_, {box_[0] / 2, box_[1] / 2, box_[2] / 2}, false, v);
+    }
+  }
+
+  /// Finite species among each other and with walls by the lattice's limits; an enclosure by a permanent
+  /// tether.
+  void add_laws() {
+    tethering_ = !once_in(3);
+    for (int a = 0; a < finite_species_; ++a) {
+      for (int b = a; b < static_cast<int>(scene_.species.size()); ++b) {
+        PairLaw law{a, b, {}, {}};
+        if (b == enclosure_) {
+          // From the centre to the farthest site is at most (3.1, 1.1, 1.1).
+          law.tethering = tethering_law(wanted_, unit_ * *rc::gen::element(4.0, 3.5), unit_);
+          law.tethering->form = {FormRule::When::permanent, 1};
+          law.tethering->breaks = {};
+        } else {
+          if (!once_in(8)) law.blocking = BlockingLaw{unit_ * limits_.inner, coefficient_of(wanted_)};
+          if (tethering_) law.tethering = tethering_law(wanted_, unit_ * limits_.outer, unit_);
+        }
+        if (law.blocking || law.tethering) scene_.pairs.push_back(law);
+      }
+    }
+  }
+
+  bool has_room(int i) const {
+    const auto& capacity = scene_.species[at(scene_.particles[at(i)].species)].max_tethers;
+    const auto holds = [i](const Tether& t) { return t.i == i || t.j == i; };
+    return !capacity || std::count_if(scene_.tethers.begin(), scene_.tethers.end(), holds) < *capacity;
+  }
+
+  bool are_neighbours(int i, int j) const {
+    int steps = 0;
+    for (int k = 0; k < 3; ++k) steps += std::abs(sites_[at(i)][at(k)] - sites_[at(j)][at(k)]);
+    return steps == 1;
+  }
+
+  void add_tethers() {
+    if (!tethering_) return;
+    const bool all = *rc::gen::arbitrary<bool>();
+    const int count = static_cast<int>(scene_.particles.size());
+    for (int i = 0; i < count; ++i) {
+      for (int j = i + 1; j < count; ++j) {
+        const int a = scene_.particles[at(i)].species, b = scene_.particles[at(j)].species;
+        const bool possible = a < finite_species_ && b != enclosure_ && are_neighbours(i, j);
+        if (!possible || !has_room(i) || !has_room(j)) continue;
+        if (all || once_in(2)) scene_.tethers.push_back({i, j});
+      }
+    }
+  }
+
+  void add_impulses() {
+    const int count = once_in(4) ? *rc::gen::inRange(1, 3) : 0;
+    const int finite = box_[0] * box_[1] * box_[2];
+    for (int n = 0; n < count; ++n) {
+      ScheduledImpulse impulse{*rc::gen::inRange(0, 8) / 4.0, *rc::gen::inRange(0, finite), velocity()};
+      for (double& J : impulse.impulse)
+        J *= scene_.species[at(scene_.particles[at(impulse.particle)].species)].mass;
+      scene_.impulses.push_back(impulse);
+    }
+  }
+
+  void add_phase() {
+    if (!wanted_.changing_tethers || !tethering_ || !once_in(4)) return;
+    const double from = *rc::gen::inRange(0, 4) / 4.0;
+    const double until = *rc::gen::element(1.5, 4.0, std::numeric_limits<double>::infinity());
+    scene_.phases.push_back({from, until, 0, 0, form_rule(wanted_), break_rule(wanted_, unit_)});
+  }
+
+  const Wanted wanted_;
+  Scene scene_;
+  std::vector<Site> sites_;
+  std::array<int, 3> box_{};
+  Coordinates origin_{};
+  Limits limits_{};
+  double unit_ = 1;
+  int finite_species_ = 0, wall_ = -1, enclosure_ = -1;
+  bool irregular_ = false, tethering_ = false;
+};
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const SmallScene& small) {
+  return out << write_scene(small.scene, SceneStyle::compact);
+}
+
+rc::Gen<SmallScene> small_scene(const Wanted& wanted) {
+  return rc::gen::exec([wanted] { return SmallScene{Assembly(wanted).scene()}; });
+}
+
+}  // namespace tps::properties
