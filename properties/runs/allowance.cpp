@@ -9,27 +9,35 @@ Allowance::Allowance(const Replay& start, Real roundoff) : u_(roundoff) {
     largest_.push_back({start.flight(i).position.norm(), start.flight(i).velocity.norm()});
 }
 
-void Allowance::note(const Replay& before, const TracedEvent& event) {
-  for (int i = 0; i < before.size(); ++i) {
+void Allowance::fly(const Replay& replay, const Instant& t) {
+  for (int i = 0; i < replay.size(); ++i) {
     Largest& l = largest_[static_cast<std::size_t>(i)];
-    l.coordinate = std::max(l.coordinate, before.position(i, event.t).norm());
-    const auto post = event.post.find(before.id_of(i));
-    if (post != event.post.end()) l.speed = std::max(l.speed, post->second.velocity.norm());
-    l.speed = std::max(l.speed, before.flight(i).velocity.norm());
+    l.speed = std::max(l.speed, replay.flight(i).velocity.norm());
+    l.path += l.speed * elapsed(now_, t);
+    l.coordinate = std::max(l.coordinate, replay.position(i, t).norm());
+  }
+  now_ = t;
+}
+
+void Allowance::note(const Replay& before, const TracedEvent& event) {
+  fly(before, event.t);
+  for (const auto& [id, state] : event.post) {
+    Largest& l = largest_[static_cast<std::size_t>(before.index_of(id))];
+    l.speed = std::max(l.speed, state.velocity.norm());
   }
   if (event.i && event.j) ++events_[std::minmax(before.index_of(*event.i), before.index_of(*event.j))];
 }
 
-Real Allowance::distance(int i, int j, Real limit, const Instant& t) const {
+Real Allowance::distance(int i, int j, Real limit) const {
   const auto found = events_.find(std::minmax(i, j));
   const Real events = found == events_.end() ? 0 : found->second;
   const Largest &a = largest_[static_cast<std::size_t>(i)], &b = largest_[static_cast<std::size_t>(j)];
-  return u_ * kSpare *
-         (16 * (1 + events) * (a.coordinate + b.coordinate + limit) + 64 * (a.speed + b.speed) * t.hi);
+  const Real landing = 16 * (1 + events) * (a.coordinate + b.coordinate + limit);
+  return u_ * kSpare * (landing + 64 * (a.path + b.path));
 }
 
-Real Allowance::normal_speed(int i, int j, Real limit, const Instant& t, Real v) const {
-  return v * (distance(i, j, limit, t) / limit + 16 * u_);
+Real Allowance::normal_speed(int i, int j, Real limit, Real v) const {
+  return v * (distance(i, j, limit) / limit + 16 * u_);
 }
 
 }  // namespace tps::properties

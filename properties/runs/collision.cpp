@@ -28,7 +28,7 @@ struct Answers {
 };
 Answers allowed_answers(const Replay& replay, const Collided& c, const TetheringLaw& law, Real u) {
   const Real speed = c.v_AB.norm();
-  const Real theta = radians(replay.stored(law.theta_revolve_deg));
+  const Real theta = radians(replay.stored_angle(law.theta_revolve_deg));
   const Real along = std::abs(replay.stored(law.c_retract) * c.v_n) * std::cos(theta);
   const Real across = c.v_across.norm() * std::sin(theta);
   const bool undecided = std::abs(along - across) <= 32 * u * speed || c.v_across.norm() <= 32 * u * speed;
@@ -55,8 +55,8 @@ std::optional<std::string> wrong_retraction(const Replay& replay, const Collided
   const Answers allowed = allowed_answers(replay, c, law, u);
   if (event.kind == "revolve") {
     if (!allowed.revolve) return "a revolution where retraction suffices";
-    const Point expected =
-        c.mu * (c.v_AB - revolved(c, replay.stored(law.c_revolve), replay.stored(law.theta_revolve_deg)));
+    const Point expected = c.mu * (c.v_AB - revolved(c, replay.stored(law.c_revolve),
+                                                     replay.stored_angle(law.theta_revolve_deg)));
     // v_ŵ errs by 15 u |v_AB|, so its direction by 15 u |v_AB|/|v_ŵ|; tan θ, lengths, powers and μ by 21 u
     // more.
     const Real direction = 15 * c.v_AB.norm() / c.v_across.norm() + 21;
@@ -109,7 +109,7 @@ Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& eve
   const PairLaw& law = *before.law(c.i, c.j);
   if (event.kind == "revolve") {
     const Real kept = std::pow(before.stored(law.tethering->c_revolve),
-                               before.stored(law.tethering->theta_revolve_deg) / 90);
+                               before.stored_angle(law.tethering->theta_revolve_deg) / 90);
     return c.mu / 2 * (1 - kept) * c.v_AB.squaredNorm();
   }
   const Real coefficient =
@@ -120,7 +120,7 @@ Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& eve
 Real tether_impulse(const Replay& before, const Collided& c) {
   const TetheringLaw& law = *before.law(c.i, c.j)->tethering;
   const Real c_retract = before.stored(law.c_retract);
-  const Real theta = before.stored(law.theta_revolve_deg);
+  const Real theta = before.stored_angle(law.theta_revolve_deg);
   const bool retracts = c.v_across.isZero(0) || std::abs(c_retract * c.v_n) * std::cos(radians(theta)) >
                                                     c.v_across.norm() * std::sin(radians(theta));
   if (retracts) return (1 + c_retract) * c.mu * std::abs(c.v_n);

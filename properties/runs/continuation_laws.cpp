@@ -95,7 +95,7 @@ std::vector<RunLaw> continuation_laws() {
                 "docs/trace.md",
                 of({}),
                 resumes};
-  resume.needs_resume = true;
+  resume.compares_runs = true;
   RunLaw reversal{20,
                   "Reversal",
                   "With c = 1, without groups, revolution and outside, a run whose velocities are reversed "
@@ -103,7 +103,7 @@ std::vector<RunLaw> continuation_laws() {
                   "docs/engine.md",
                   of(reversible),
                   returns};
-  reversal.needs_resume = true;
+  reversal.compares_runs = true;
   return {resume, reversal};
 }
 

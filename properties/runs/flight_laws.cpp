@@ -39,13 +39,13 @@ std::optional<std::string> bound_broken(const Replay& replay, const Allowance& a
       if (law->blocking) {
         const Real limit = replay.stored(law->blocking->distance);
         if (auto fault = beyond(pair_name(replay, i, j) + " within their inner limit by", limit - least,
-                                allowance.distance(i, j, limit, to)))
+                                allowance.distance(i, j, limit)))
           return fault;
       }
       if (replay.tethered(i, j)) {
         const Real limit = replay.stored(law->tethering->distance);
         if (auto fault = beyond(pair_name(replay, i, j) + " past their outer limit by", most - limit,
-                                allowance.distance(i, j, limit, to)))
+                                allowance.distance(i, j, limit)))
           return fault;
       }
     }
@@ -65,6 +65,7 @@ RunVerdict keeps_distances(const Scene& scene, Simulator& simulator) {
     replay.apply(event);
     now = event.t;
   }
+  allowance.fly(replay, trace.end_time);
   return RunVerdict::of(bound_broken(replay, allowance, now, trace.end_time));
 }
 
@@ -79,10 +80,10 @@ std::optional<std::string> not_due(const Replay& before, const Allowance& allowa
     return inner ? "a rebound of a pair without blocking" : "a pull of a pair that is not tethered";
   const Real limit = before.stored(inner ? law->blocking->distance : law->tethering->distance);
   if (auto fault = beyond("distance beside the limit", std::abs(c.distance - limit),
-                          allowance.distance(c.i, c.j, limit, event.t)))
+                          allowance.distance(c.i, c.j, limit)))
     return fault;
   return beyond(inner ? "receding at" : "approaching at", inner ? c.v_n : -c.v_n,
-                allowance.normal_speed(c.i, c.j, limit, event.t, c.v_AB.norm()));
+                allowance.normal_speed(c.i, c.j, limit, c.v_AB.norm()));
 }
 
 RunVerdict collides_when_due(const Scene& scene, Simulator& simulator) {
@@ -157,11 +158,12 @@ RunVerdict responds_once(const Scene& scene, Simulator& simulator) {
 /// Impulses and phases from outside, in the order of the scene's times.
 RunVerdict keeps_the_schedule(const Scene& scene, Simulator& simulator) {
   const RunTrace trace = simulator.run(scene);
+  const Replay start(scene, simulator.scalar());
   std::vector<Real> impulses, phases;
-  for (const ScheduledImpulse& impulse : scene.impulses) impulses.push_back(impulse.at);
+  for (const ScheduledImpulse& impulse : scene.impulses) impulses.push_back(start.stored(impulse.at));
   for (const Phase& phase : scene.phases) {
-    phases.push_back(phase.from);
-    if (std::isfinite(phase.until)) phases.push_back(phase.until);
+    phases.push_back(start.stored(phase.from));
+    if (std::isfinite(phase.until)) phases.push_back(start.stored(phase.until));
   }
   for (auto [times, is_one] :
        {std::pair{impulses, +[](const TracedEvent& e) { return e.kind == "scheduled_impulse"; }},
@@ -176,8 +178,11 @@ RunVerdict keeps_the_schedule(const Scene& scene, Simulator& simulator) {
         return RunVerdict::broken("event " + std::to_string(event.k) + " is not at its scheduled time");
       ++next;
     }
-    if (next < times.size() && times[next] < trace.end_time.hi)
-      return RunVerdict::broken("the run has passed a scheduled time without its event");
+    // A run that ends at its duration has had the events of that time.
+    const bool passed =
+        next < times.size() &&
+        (times[next] < trace.end_time.hi || (trace.end == "duration" && times[next] == trace.end_time.hi));
+    if (passed) return RunVerdict::broken("the run has passed a scheduled time without its event");
   }
   return {};
 }

@@ -33,7 +33,7 @@ struct RunLaw {
   std::function<rc::Gen<SmallScene>()> scenes;
   std::function<RunVerdict(const Scene&, Simulator&)> judge;
   bool needs_exact_timing = false;  ///< not asked of runs timed by the paper's literal formulas (docs/eq2.md)
-  bool needs_resume = false;        ///< asked of simulators that can go on from a trace
+  bool compares_runs = false;       ///< asked in any scalar; others judge numbers that Real must hold
 };
 
 /// All laws of runs, ascending by number.

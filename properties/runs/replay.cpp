@@ -49,6 +49,10 @@ Real Replay::stored(double x) const {
   return in_float_ ? Real(static_cast<float>(x)) : Real(x);
 }
 
+Real Replay::stored_angle(double degrees) const {
+  return stored(degrees) < 90 ? stored(degrees) : Real(90) - Real(std::ldexp(1.0, -17));
+}
+
 int Replay::index_of(std::int32_t id) const {
   const auto& particles = scene_->particles;
   const auto found = std::lower_bound(particles.begin(), particles.end(), id,

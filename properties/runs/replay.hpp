@@ -59,6 +59,8 @@ class Replay {
   const PairLaw* law(int i, int j) const;
   /// A number of the scene as the run's scalar holds it.
   Real stored(double x) const;
+  /// An angle in degrees, which in float must not become 90.
+  Real stored_angle(double degrees) const;
 
   bool tethered(int i, int j) const;
   /// Tethers that count towards a capacity.

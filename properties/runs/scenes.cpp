@@ -109,8 +109,12 @@ class Assembly {
       scene_.grouping = Grouping{*rc::gen::element(0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10))};
     }
     if (wanted_.outside) {
-      add_impulses();
       add_phase();
+      if (once_in(8)) {
+        strike_late();
+      } else if (once_in(4)) {
+        add_impulses(0);
+      }
     }
     if (wanted_.draws) scene_.seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
     return scene_;
@@ -237,15 +241,23 @@ class Assembly {
     }
   }
 
-  void add_impulses() {
-    const int count = once_in(4) ? *rc::gen::inRange(1, 3) : 0;
+  void add_impulses(double from) {
+    const int count = *rc::gen::inRange(1, 3);
     const int finite = box_[0] * box_[1] * box_[2];
     for (int n = 0; n < count; ++n) {
-      ScheduledImpulse impulse{*rc::gen::inRange(0, 8) / 4.0, *rc::gen::inRange(0, finite), velocity()};
+      ScheduledImpulse impulse{from + *rc::gen::inRange(0, 33) / 4.0, *rc::gen::inRange(0, finite),
+                               velocity()};
       for (double& J : impulse.impulse)
         J *= scene_.species[at(scene_.particles[at(impulse.particle)].species)].mass;
       scene_.impulses.push_back(impulse);
     }
+  }
+
+  /// Nothing moves until impulses come when the clock's first number is as coarse as 2^-12.
+  void strike_late() {
+    for (Particle& p : scene_.particles) p.velocity = {};
+    add_impulses(0x1p+40);
+    scene_.duration += 0x1p+40;
   }
 
   void add_phase() {

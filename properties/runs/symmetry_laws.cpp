@@ -214,17 +214,17 @@ std::vector<RunLaw> symmetry_laws() {
        "Lengths, times and masses times powers of two (impulses and thresholds with them) scale a run bit "
        "for "
        "bit.",
-       "docs/engine.md", of({}), scales},
+       "docs/engine.md", of({}), scales, false, true},
       {15, "Reflection",
        "Reversed axes, and in the plane exchanged ones, turn a run bit for bit. In space an exchange "
        "would add three products in another order.",
-       "docs/engine.md", of({}), reflects},
+       "docs/engine.md", of({}), reflects, false, true},
       {16, "StartTime", "The clock's start labels times and changes nothing else.", "docs/trace.md", of({}),
-       starts_anywhen},
+       starts_anywhen, false, true},
       {17, "Strangers", "A particle that interacts with nobody changes nobody's events.", "docs/engine.md",
-       of({}), ignores_strangers},
+       of({}), ignores_strangers, false, true},
       {18, "Names", "Where the order of ids decides no tie and keys no draw, other ids change nothing.",
-       "docs/engine.md", of(undrawn), ignores_names},
+       "docs/engine.md", of(undrawn), ignores_names, false, true},
   };
 }
 
