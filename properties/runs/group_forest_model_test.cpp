@@ -93,7 +93,7 @@ struct Join : Command {
 struct Dissolve : Command {
   int member = *rc::gen::inRange(0, kParticles);
 
-  void checkPreconditions(const Bodies& model) const override { RC_PRE(model.of(member) != nullptr); }
+  void checkPreconditions(const Bodies& model) const override { RC_PRE(static_cast<bool>(model.of(member))); }
   void apply(Bodies& model) const override { model.remove(model.of(member)); }
   void run(const Bodies& model, Forest& forest) const override {
     const auto tree = model.of(member);

@@ -1,6 +1,7 @@
 // The steady orbit of a tethered pair: the paper's example of revolution.
 #include <cmath>
 
+#include "properties/runs/choices.hpp"
 #include "properties/runs/laws.hpp"
 
 namespace tps::properties {
@@ -9,19 +10,19 @@ namespace {
 /// A pair at its outer limit that moves exactly across; c_retract < 1, so that at 45° no retraction suffices.
 Scene orbit() {
   Scene scene;
-  scene.dimension = *rc::gen::element(2, 3);
+  scene.dimension = pick({2, 3});
   scene.duration = std::numeric_limits<double>::infinity();
-  const double R = *rc::gen::element(1.0, 0.1, 7.0);
-  const double speed = *rc::gen::inRange(1, 5) * *rc::gen::element(1.0, 0.3);
+  const double R = pick({1.0, 0.1, 7.0});
+  const double speed = *rc::gen::inRange(1, 5) * pick({1.0, 0.3});
   for (const char* name : {"a", "b"}) {
-    const double mass = *rc::gen::element(1.0, 0.01, 3.0, 1e9);
+    const double mass = pick({1.0, 0.01, 3.0, 1e9});
     scene.species.push_back({name, mass, R / 4, {}});
   }
   PairLaw law{0, 1, {}, TetheringLaw{}};
   if (*rc::gen::arbitrary<bool>()) law.blocking = BlockingLaw{R / 2, 1};
   law.tethering->distance = R;
-  law.tethering->c_retract = *rc::gen::element(0.5, 0.0, 0.9);
-  law.tethering->c_revolve = *rc::gen::element(0.5, 1.0, 0.9, 0.1);
+  law.tethering->c_retract = pick({0.5, 0.0, 0.9});
+  law.tethering->c_revolve = pick({0.5, 1.0, 0.9, 0.1});
   law.tethering->form = {FormRule::When::never, 1};
   scene.pairs = {law};
   const bool upwards = scene.dimension == 3 && *rc::gen::arbitrary<bool>();

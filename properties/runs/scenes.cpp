@@ -6,6 +6,7 @@
 #include <limits>
 #include <ostream>
 
+#include "properties/runs/choices.hpp"
 #include "reference/scene/write_scene.hpp"
 
 namespace tps::properties {
@@ -14,31 +15,20 @@ namespace {
 using Site = std::array<int, 3>;
 using Choice = Wanted::Choice;
 
-/// −most … most, shrinking to 0 and to positive numbers.
-rc::Gen<int> around_zero(int most) {
-  return rc::gen::map(rc::gen::inRange(0, 2 * most + 1),
-                      [](int n) { return n % 2 == 0 ? n / 2 : -(n + 1) / 2; });
-}
-
-/// True once in `many`, shrinking to false.
-bool once_in(int many) {
-  return *rc::gen::inRange(0, many) == many - 1;
-}
-
 double thousandth() {
   return *rc::gen::inRange(0, 1001) / 1000.0;
 }
 
 double coefficient_of(const Wanted& wanted) {
   if (!wanted.dissipation) return 1;
-  const double edge = *rc::gen::element(1.0, 0.0, 0.5, 0.9, 0.05, 2.0);
+  const double edge = pick({1.0, 0.0, 0.5, 0.9, 0.05, 2.0});
   return edge == 2.0 ? thousandth() : edge;
 }
 
 double mass_of_species() {
-  const int decades = *rc::gen::element(0, 0, 0, 3, 12);
+  const int decades = pick({0, 0, 0, 3, 12});
   if (decades == 0) return *rc::gen::inRange(1, 4);
-  return *rc::gen::inRange(1, 10) * std::pow(10.0, *around_zero(decades));
+  return *rc::gen::inRange(1, 10) * std::pow(10.0, around_zero(decades));
 }
 
 /// Distances in units of the lattice's spacing. Neighbours start 1 apart, give or take what `shift` allows.
@@ -48,17 +38,17 @@ struct Limits {
 };
 
 Limits limits(const Wanted& wanted) {
-  if (!wanted.ties) return *rc::gen::element(Limits{0.75, 1.5, true}, Limits{0.25, 2, true});
+  if (!wanted.ties) return pick({Limits{0.75, 1.5, true}, Limits{0.25, 2, true}});
   const double tight = std::ldexp(1.0, -12);
-  return *rc::gen::element(Limits{0.75, 1.5, true}, Limits{1, 1.5, false}, Limits{0.5, 1, false},
-                           Limits{1 - tight, 1 + tight, false}, Limits{0.25, 2, true});
+  return pick({Limits{0.75, 1.5, true}, Limits{1, 1.5, false}, Limits{0.5, 1, false},
+               Limits{1 - tight, 1 + tight, false}, Limits{0.25, 2, true}});
 }
 
 FormRule form_rule(const Wanted& wanted) {
   using When = FormRule::When;
   if (!wanted.changing_tethers) return {When::never, 1};
-  const When when = wanted.draws ? *rc::gen::element(When::never, When::always, When::probability)
-                                 : *rc::gen::element(When::never, When::always);
+  const When when =
+      wanted.draws ? pick({When::never, When::always, When::probability}) : pick({When::never, When::always});
   return {when, when == When::probability ? thousandth() : 1};
 }
 
@@ -67,9 +57,9 @@ BreakRule break_rule(const Wanted& wanted, double unit) {
   using When = BreakRule::When;
   BreakRule rule;
   if (!wanted.changing_tethers) return rule;
-  rule.when = wanted.draws ? *rc::gen::element(When::never, When::never, When::always, When::probability,
-                                               When::impulse_above)
-                           : *rc::gen::element(When::never, When::never, When::always, When::impulse_above);
+  rule.when = wanted.draws
+                  ? pick({When::never, When::never, When::always, When::probability, When::impulse_above})
+                  : pick({When::never, When::never, When::always, When::impulse_above});
   if (rule.when == When::probability) rule.probability = thousandth();
   if (rule.when == When::impulse_above) rule.threshold = unit * *rc::gen::inRange(0, 4);
   return rule;
@@ -80,11 +70,16 @@ TetheringLaw tethering_law(const Wanted& wanted, double distance, double unit) {
   law.distance = distance;
   law.c_retract = coefficient_of(wanted);
   law.c_revolve = coefficient_of(wanted);
-  law.theta_revolve_deg =
-      wanted.dissipation ? *rc::gen::element(45.0, 30.0, 60.0, 1.0, 89.0, 1e-6, 89.999999) : 1e-6;
+  law.theta_revolve_deg = wanted.dissipation ? pick({45.0, 30.0, 60.0, 1.0, 89.0, 1e-6, 89.999999}) : 1e-6;
   law.form = form_rule(wanted);
   law.breaks = break_rule(wanted, unit);
   return law;
+}
+
+/// By the angle of the triangle 3-4-5 in the plane of x and y: what was exactly perpendicular then is so but
+/// for rounding.
+Coordinates turned(const Coordinates& x) {
+  return {0.8 * x[0] - 0.6 * x[1], 0.6 * x[0] + 0.8 * x[1], x[2]};
 }
 
 /// Puts a scene together, one choice after the other.
@@ -93,10 +88,13 @@ class Assembly {
   explicit Assembly(const Wanted& wanted) : wanted_(wanted) {}
 
   Scene scene() {
-    scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : *rc::gen::element(2, 3);
+    scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : pick({2, 3});
     scene_.duration = *rc::gen::inRange(1, 9);
-    unit_ = *rc::gen::element(1.0, 0.1, 3.0, std::ldexp(1.0, -20));
-    const double away = wanted_.ties ? unit_ * *rc::gen::element(0, 0, 0, 1000, 1 << 20) : 0;
+    turned_ = wanted_.ties && once_in(5);
+    // A turned lattice is rounded; at other units and places its touching starts would be beyond 4 ulp.
+    unit_ = turned_ ? pick({1.0, std::ldexp(1.0, -20)}) : pick({1.0, 0.1, 3.0, std::ldexp(1.0, -20)});
+    const bool far = wanted_.ties && !turned_;
+    const double away = far ? unit_ * pick({0, 0, 0, 1000, 1 << 20}) : 0;
     origin_ = {away, -away, scene_.dimension == 3 ? away : 0};
     limits_ = limits(wanted_);
     irregular_ = !wanted_.ties || *rc::gen::arbitrary<bool>();
@@ -106,7 +104,7 @@ class Assembly {
     add_laws();
     add_tethers();
     if (wanted_.grouping == Choice::always || (wanted_.grouping == Choice::maybe && once_in(2))) {
-      scene_.grouping = Grouping{*rc::gen::element(0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10))};
+      scene_.grouping = Grouping{pick({0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10)})};
     }
     if (wanted_.outside) {
       add_phase();
@@ -136,8 +134,8 @@ class Assembly {
   /// Pair, row, sheet, ring of four, block.
   static std::array<int, 3> box(int dimension) {
     const std::array<int, 3> flat =
-        *rc::gen::element(std::array{2, 1, 1}, std::array{3, 1, 1}, std::array{4, 1, 1}, std::array{2, 2, 1},
-                          std::array{6, 1, 1}, std::array{3, 2, 1}, std::array{4, 2, 1}, std::array{2, 2, 2});
+        pick({std::array{2, 1, 1}, std::array{3, 1, 1}, std::array{4, 1, 1}, std::array{2, 2, 1},
+              std::array{6, 1, 1}, std::array{3, 2, 1}, std::array{4, 2, 1}, std::array{2, 2, 2}});
     return dimension == 2 && flat[2] > 1 ? std::array{3, 2, 1} : flat;
   }
 
@@ -158,7 +156,7 @@ class Assembly {
   Coordinates velocity() {
     Coordinates v{};
     for (int k = 0; k < scene_.dimension; ++k) {
-      v[at(k)] = unit_ * (irregular_ ? *around_zero(3000) / 997.0 : *around_zero(3));
+      v[at(k)] = unit_ * (irregular_ ? around_zero(3000) / 997.0 : around_zero(3));
     }
     return v;
   }
@@ -166,8 +164,12 @@ class Assembly {
   void add_particle(int species, const Site& site, bool shifted, const Coordinates& v) {
     Particle p{static_cast<std::int32_t>(scene_.particles.size()), species, origin_, v};
     for (int k = 0; k < scene_.dimension; ++k) {
-      const double shift = shifted ? *around_zero(irregular_ ? 16 : 1) / (irregular_ ? 263.0 : 16.0) : 0;
+      const double shift = shifted ? around_zero(irregular_ ? 16 : 1) / (irregular_ ? 263.0 : 16.0) : 0;
       p.position[at(k)] += unit_ * (site[at(k)] + shift);
+    }
+    if (turned_) {
+      p.position = turned(p.position);
+      p.velocity = turned(p.velocity);
     }
     scene_.particles.push_back(p);
     sites_.push_back(site);
@@ -203,7 +205,7 @@ class Assembly {
         PairLaw law{a, b, {}, {}};
         if (b == enclosure_) {
           // From the centre to the farthest site is at most (3.1, 1.1, 1.1).
-          law.tethering = tethering_law(wanted_, unit_ * *rc::gen::element(4.0, 3.5), unit_);
+          law.tethering = tethering_law(wanted_, unit_ * pick({4.0, 3.5}), unit_);
           law.tethering->form = {FormRule::When::permanent, 1};
           law.tethering->breaks = {};
         } else {
@@ -263,7 +265,7 @@ class Assembly {
   void add_phase() {
     if (!wanted_.changing_tethers || !tethering_ || !once_in(4)) return;
     const double from = *rc::gen::inRange(0, 4) / 4.0;
-    const double until = *rc::gen::element(1.5, 4.0, std::numeric_limits<double>::infinity());
+    const double until = pick({1.5, 4.0, std::numeric_limits<double>::infinity()});
     scene_.phases.push_back({from, until, 0, 0, form_rule(wanted_), break_rule(wanted_, unit_)});
   }
 
@@ -275,7 +277,7 @@ class Assembly {
   Limits limits_{};
   double unit_ = 1;
   int finite_species_ = 0, wall_ = -1, enclosure_ = -1;
-  bool irregular_ = false, tethering_ = false;
+  bool irregular_ = false, tethering_ = false, turned_ = false;
 };
 
 }  // namespace
