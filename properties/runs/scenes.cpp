@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "properties/runs/choices.hpp"
+#include "reference/scene/check_starts.hpp"
 #include "reference/scene/write_scene.hpp"
 
 namespace tps::properties {
@@ -91,8 +92,7 @@ class Assembly {
     scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : pick({2, 3});
     scene_.duration = *rc::gen::inRange(1, 9);
     turned_ = wanted_.ties && once_in(5);
-    // A turned lattice is rounded; at other units and places its touching starts would be beyond 4 ulp.
-    unit_ = turned_ ? pick({1.0, std::ldexp(1.0, -20)}) : pick({1.0, 0.1, 3.0, std::ldexp(1.0, -20)});
+    unit_ = pick({1.0, 0.1, 3.0, std::ldexp(1.0, -20)});
     const bool far = wanted_.ties && !turned_;
     const double away = far ? unit_ * pick({0, 0, 0, 1000, 1 << 20}) : 0;
     origin_ = {away, -away, scene_.dimension == 3 ? away : 0};
@@ -103,6 +103,7 @@ class Assembly {
     if (wanted_.infinite_masses) add_infinite_masses();
     add_laws();
     add_tethers();
+    if (turned_) turn();
     if (wanted_.grouping == Choice::always || (wanted_.grouping == Choice::maybe && once_in(2))) {
       scene_.grouping = Grouping{pick({0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10)})};
     }
@@ -166,10 +167,6 @@ class Assembly {
     for (int k = 0; k < scene_.dimension; ++k) {
       const double shift = shifted ? around_zero(irregular_ ? 16 : 1) / (irregular_ ? 263.0 : 16.0) : 0;
       p.position[at(k)] += unit_ * (site[at(k)] + shift);
-    }
-    if (turned_) {
-      p.position = turned(p.position);
-      p.velocity = turned(p.velocity);
     }
     scene_.particles.push_back(p);
     sites_.push_back(site);
@@ -253,6 +250,25 @@ class Assembly {
         J *= scene_.species[at(scene_.particles[at(impulse.particle)].species)].mass;
       scene_.impulses.push_back(impulse);
     }
+  }
+
+  /// Turns the lattice, unless rounding puts a start beyond the 4 ulp that a scene may have.
+  void turn() {
+    std::vector<Particle> particles = scene_.particles;
+    for (Particle& p : particles) {
+      p.position = turned(p.position);
+      p.velocity = turned(p.velocity);
+    }
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Coordinates &a = particles[i].position, &b = particles[j].position;
+        if (particles[i].species == enclosure_) continue;
+        const bool neighbours = are_neighbours(static_cast<int>(i), static_cast<int>(j));
+        if (start_verdict(a, b, unit_ * limits_.inner) == StartVerdict::nearer) return;
+        if (neighbours && start_verdict(a, b, unit_ * limits_.outer) == StartVerdict::farther) return;
+      }
+    }
+    scene_.particles = particles;
   }
 
   /// Nothing moves until impulses come when the clock's first number is as coarse as 2^-12.
