@@ -41,8 +41,6 @@ Answers allowed_answers(const Replay& replay, const Collided& c, const Tethering
 std::optional<std::string> wrong_rebound(const Collided& c, const TracedEvent& event, Real coefficient,
                                          Real u) {
   const Point dp = event.dp.value();
-  // Δp is parallel to the axis to a few u, so that the sign is exact.
-  if (dp.dot(c.axis) > 0) return "the impulse of a rebound attracts";
   if (dp.isZero(0) && c.v_n >= -32 * u * c.v_AB.norm()) return std::nullopt;
   const Point expected = (1 + coefficient) * c.mu * c.v_n * c.axis;
   return beyond("impulse of the rebound beside eq. (4)", (dp - expected).norm(),

@@ -80,7 +80,9 @@ std::vector<RunLaw> orbit_laws() {
       {21, "Orbit",
        "A pair that moves across its taut tether at 45° has four events a revolution, each a quarter turn, "
        "and a revolution multiplies its speed by c_revolve.",
-       "docs/eq5.md", [] { return rc::gen::exec([] { return SmallScene{orbit()}; }); }, orbits}};
+       "docs/eq5.md",
+       [] { return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] { return SmallScene{orbit()}; })); },
+       orbits}};
 }
 
 }  // namespace tps::properties

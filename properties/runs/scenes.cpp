@@ -77,10 +77,14 @@ TetheringLaw tethering_law(const Wanted& wanted, double distance, double unit) {
   return law;
 }
 
-/// By the angle of the triangle 3-4-5 in the plane of x and y: what was exactly perpendicular then is so but
-/// for rounding.
-Coordinates turned(const Coordinates& x) {
-  return {0.8 * x[0] - 0.6 * x[1], 0.6 * x[0] + 0.8 * x[1], x[2]};
+/// By an angle in the plane of x and y: what was exactly perpendicular then is so but for rounding.
+Coordinates turned(const Coordinates& x, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
+}
+
+bool chosen(Choice choice, int once_in_so_many) {
+  return choice == Choice::always || (choice == Choice::maybe && once_in(once_in_so_many));
 }
 
 /// Puts a scene together, one choice after the other.
@@ -91,12 +95,13 @@ class Assembly {
   Scene scene() {
     scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : pick({2, 3});
     scene_.duration = *rc::gen::inRange(1, 9);
-    turned_ = wanted_.ties && once_in(5);
+    contacts_ = wanted_.ties && chosen(wanted_.contacts, 10);
+    turned_ = contacts_ || (wanted_.ties && once_in(6));
     unit_ = pick({1.0, 0.1, 3.0, std::ldexp(1.0, -20)});
     const bool far = wanted_.ties && !turned_;
     const double away = far ? unit_ * pick({0, 0, 0, 1000, 1 << 20}) : 0;
     origin_ = {away, -away, scene_.dimension == 3 ? away : 0};
-    limits_ = limits(wanted_);
+    limits_ = contacts_ ? Limits{1, 1.5, false} : limits(wanted_);
     irregular_ = !wanted_.ties || *rc::gen::arbitrary<bool>();
     add_species();
     add_sites();
@@ -104,7 +109,7 @@ class Assembly {
     add_laws();
     add_tethers();
     if (turned_) turn();
-    if (wanted_.grouping == Choice::always || (wanted_.grouping == Choice::maybe && once_in(2))) {
+    if (chosen(wanted_.grouping, 2)) {
       scene_.grouping = Grouping{pick({0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10)})};
     }
     if (wanted_.outside) {
@@ -141,7 +146,7 @@ class Assembly {
   }
 
   void add_sites() {
-    box_ = box(scene_.dimension);
+    box_ = contacts_ ? std::array{pick({2, 4, 6, 6, 6}), 1, 1} : box(scene_.dimension);
     const bool one_moves = once_in(5);
     for (int z = 0; z < box_[2]; ++z) {
       for (int y = 0; y < box_[1]; ++y) {
@@ -157,6 +162,7 @@ class Assembly {
   Coordinates velocity() {
     Coordinates v{};
     for (int k = 0; k < scene_.dimension; ++k) {
+      if (contacts_ && k == 0) continue;
       v[at(k)] = unit_ * (irregular_ ? around_zero(3000) / 997.0 : around_zero(3));
     }
     return v;
@@ -206,7 +212,8 @@ class Assembly {
           law.tethering->form = {FormRule::When::permanent, 1};
           law.tethering->breaks = {};
         } else {
-          if (!once_in(8)) law.blocking = BlockingLaw{unit_ * limits_.inner, coefficient_of(wanted_)};
+          if (contacts_ || !once_in(8))
+            law.blocking = BlockingLaw{unit_ * limits_.inner, coefficient_of(wanted_)};
           if (tethering_) law.tethering = tethering_law(wanted_, unit_ * limits_.outer, unit_);
         }
         if (law.blocking || law.tethering) scene_.pairs.push_back(law);
@@ -254,10 +261,11 @@ class Assembly {
 
   /// Turns the lattice, unless rounding puts a start beyond the 4 ulp that a scene may have.
   void turn() {
+    const double angle = *rc::gen::inRange(1, 100);
     std::vector<Particle> particles = scene_.particles;
     for (Particle& p : particles) {
-      p.position = turned(p.position);
-      p.velocity = turned(p.velocity);
+      p.position = turned(p.position, angle);
+      p.velocity = turned(p.velocity, angle);
     }
     for (std::size_t i = 0; i < particles.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -293,7 +301,7 @@ class Assembly {
   Limits limits_{};
   double unit_ = 1;
   int finite_species_ = 0, wall_ = -1, enclosure_ = -1;
-  bool irregular_ = false, tethering_ = false, turned_ = false;
+  bool irregular_ = false, tethering_ = false, turned_ = false, contacts_ = false;
 };
 
 }  // namespace
@@ -303,7 +311,8 @@ std::ostream& operator<<(std::ostream& out, const SmallScene& small) {
 }
 
 rc::Gen<SmallScene> small_scene(const Wanted& wanted) {
-  return rc::gen::exec([wanted] { return SmallScene{Assembly(wanted).scene()}; });
+  return rc::gen::resize(rc::kNominalSize,
+                         rc::gen::exec([wanted] { return SmallScene{Assembly(wanted).scene()}; }));
 }
 
 }  // namespace tps::properties
