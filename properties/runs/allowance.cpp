@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 Allowance::Allowance(const Replay& start, Real roundoff) : u_(roundoff) {
   for (int i = 0; i < start.size(); ++i)
@@ -40,4 +40,4 @@ Real Allowance::normal_speed(int i, int j, Real limit, Real v) const {
   return v * (distance(i, j, limit) / limit + 16 * u_);
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -8,7 +8,7 @@
 
 #include "properties/runs/replay.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// The largest distance by which rounding can have put a pair beyond a limit L.
 ///
@@ -44,4 +44,4 @@ class Allowance {
   std::map<std::pair<int, int>, int> events_;
 };
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

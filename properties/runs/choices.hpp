@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// One of a list; shrinks towards the first. (rc::gen::element does not shrink.)
 template <typename Item>
@@ -26,4 +26,4 @@ inline int around_zero(int most) {
   return n % 2 == 0 ? n / 2 : -(n + 1) / 2;
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -4,7 +4,7 @@
 
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 const Real kPi = std::acos(Real(-1));
@@ -137,4 +137,4 @@ std::optional<std::string> wrong_impulse(const Replay& before, const Collided& c
   return wrong_retraction(before, c, event, *law->tethering, u);
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

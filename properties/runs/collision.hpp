@@ -7,7 +7,7 @@
 
 #include "properties/runs/replay.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// Two bodies at an event, seen from the body of i.
 struct Collided {
@@ -37,4 +37,4 @@ Real tether_impulse(const Replay& before, const Collided& c);
 std::optional<std::string> wrong_impulse(const Replay& before, const Collided& c, const TracedEvent& event,
                                          Real u);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

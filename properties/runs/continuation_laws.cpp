@@ -5,7 +5,7 @@
 #include "properties/runs/laws.hpp"
 #include "properties/runs/reversal.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 /// Cut within a line as well as between lines; behind the first full state, which every trace has at its
@@ -107,4 +107,4 @@ std::vector<RunLaw> continuation_laws() {
   return {resume, reversal};
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -7,7 +7,7 @@
 
 #include "reference/engine/queue.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 constexpr int kQueued = 4;
@@ -85,4 +85,4 @@ RC_GTEST_PROP(EventQueueModel, IsASearchedList, ()) {
 }
 
 }  // namespace
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -8,7 +8,7 @@
 
 #include "reference/engine/group_forest.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 constexpr int kParticles = 6;
@@ -121,4 +121,4 @@ RC_GTEST_PROP(GroupForestModel, IsNestedPairs, ()) {
 }
 
 }  // namespace
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

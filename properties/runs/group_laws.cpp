@@ -7,7 +7,7 @@
 #include "properties/runs/collision.hpp"
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 std::string name_of(const Replay& replay, const std::set<int>& particles) {
@@ -180,4 +180,4 @@ std::vector<RunLaw> group_laws() {
   };
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

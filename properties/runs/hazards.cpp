@@ -5,7 +5,7 @@
 
 #include "properties/runs/replay.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 Real start_distance(const Scene& scene, std::size_t i, std::size_t j) {
@@ -50,27 +50,27 @@ void note_collision(const Replay& before, const TracedEvent& event, std::set<std
 
 const std::vector<HazardFloor>& hazard_floors() {
   static const std::vector<HazardFloor> floors = {
-      {"tie", "two collisions of different pairs at one time", 10},
-      {"touching start", "a pair starts at its inner limit", 10},
-      {"taut start", "a tethered pair starts at its outer limit", 5},
-      {"crowded", "ten events within 1e-6", 5},
-      {"masses apart", "by a factor of more than a million", 10},
-      {"no impulse", "a collision that rounding leaves without one", 1},
-      {"rebound", "eq. (4) at the inner limit", 40},
-      {"retract", "eq. (4) at the outer limit", 10},
-      {"revolve", "eq. (5)", 15},
-      {"break", "a tether breaks", 5},
-      {"formed", "a tether forms", 5},
-      {"drawn", "a rule draws a number", 5},
-      {"wall", "a rebound of an infinite mass", 5},
-      {"enclosure", "a pull by an infinite mass", 1},
-      {"nested group", "a load of three or more particles", 10},
-      {"grounded group", "a load against an infinite mass", 2},
-      {"restitute", "a group is given back", 20},
-      {"scheduled_impulse", "an impulse from outside", 10},
-      {"late", "a collision when the clock's first number is as coarse as 2^-12", 3},
-      {"phase_begin", "rules change", 5},
-      {"phase_end", "rules change back", 2},
+      {"tie", "two collisions of different pairs at one time", 150},
+      {"touching start", "a pair starts at its inner limit", 150},
+      {"taut start", "a tethered pair starts at its outer limit", 70},
+      {"crowded", "ten events within 1e-6", 60},
+      {"masses apart", "by a factor of more than a million", 80},
+      {"no impulse", "a collision that rounding leaves without one", 2},
+      {"rebound", "eq. (4) at the inner limit", 400},
+      {"retract", "eq. (4) at the outer limit", 200},
+      {"revolve", "eq. (5)", 300},
+      {"break", "a tether breaks", 200},
+      {"formed", "a tether forms", 80},
+      {"drawn", "a rule draws a number", 150},
+      {"wall", "a rebound of an infinite mass", 60},
+      {"enclosure", "a pull by an infinite mass", 150},
+      {"nested group", "a load of three or more particles", 120},
+      {"grounded group", "a load against an infinite mass", 90},
+      {"restitute", "a group is given back", 200},
+      {"scheduled_impulse", "an impulse from outside", 150},
+      {"late", "a collision when the clock's first number is as coarse as 2^-12", 30},
+      {"phase_begin", "rules change", 100},
+      {"phase_end", "rules change back", 50},
   };
   return floors;
 }
@@ -97,4 +97,4 @@ std::set<std::string> hazards_met(const Scene& scene, const RunTrace& trace) {
   return met;
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -7,16 +7,17 @@
 
 #include "properties/runs/simulator.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
-/// Names of all hazards, each with the least part of generated scenes that meet it, in percent; tested.
+/// A hazard, and how many of a thousand generated scenes meet it at least: about half of what they do;
+/// tested.
 struct HazardFloor {
   std::string name, meaning;
-  int percent;
+  int in_a_thousand;
 };
 const std::vector<HazardFloor>& hazard_floors();
 
 /// The hazards that a scene and its run met.
 std::set<std::string> hazards_met(const Scene& scene, const RunTrace& trace);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -9,7 +9,7 @@
 
 #include "reference/trace/hexfloat.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 constexpr std::size_t kDigitsOfAPart = std::numeric_limits<Real>::digits / 4;
@@ -48,4 +48,4 @@ Real judged_roundoff(std::string_view scalar) {
   return std::ldexp(Real(1), -58);
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

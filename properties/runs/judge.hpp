@@ -5,7 +5,7 @@
 
 #include "reference/equations/vector.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// What a law computes with: 64 bits, where a run in double has 53. Planar scenes are judged in space, z = 0.
 using Real = long double;
@@ -36,4 +36,4 @@ Real judged_roundoff(std::string_view scalar);
 /// What u is multiplied with for the terms of second order and the judge's own roundings.
 inline constexpr Real kSpare = 1.03L;
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 const std::vector<RunLaw>& run_laws() {
   static const std::vector<RunLaw> laws = [] {
@@ -20,8 +20,8 @@ const std::vector<RunLaw>& run_laws() {
   return laws;
 }
 
-void check_law(const RunLaw& law, Simulator& simulator) {
-  const SmallScene small = *law.scenes();
+void check_law(const RunLaw& law, Simulator& simulator, int dimension) {
+  const SmallScene small = *law.scenes(dimension);
   const RunVerdict verdict = law.judge(small.scene, simulator);
   RC_PRE(verdict.kind != RunVerdict::Kind::not_asked);
   if (verdict.kind == RunVerdict::Kind::holds) return;
@@ -56,4 +56,4 @@ std::optional<std::string> beyond(const std::string& what, Real found, Real allo
   return text.str();
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -10,7 +10,7 @@
 #include "properties/runs/scenes.hpp"
 #include "properties/runs/simulator.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// What a judge says of one scene.
 struct RunVerdict {
@@ -27,10 +27,10 @@ struct RunVerdict {
 
 struct RunLaw {
   int number;
-  std::string name;      ///< of its test
-  std::string sentence;  ///< what holds
-  std::string page;      ///< where it is derived or decided
-  std::function<rc::Gen<SmallScene>()> scenes;
+  std::string name;                                          ///< of its test
+  std::string sentence;                                      ///< what holds
+  std::string page;                                          ///< where it is derived or decided
+  std::function<rc::Gen<SmallScene>(int dimension)> scenes;  ///< dimension 0: 2 or 3
   std::function<RunVerdict(const Scene&, Simulator&)> judge;
   bool needs_exact_timing = false;  ///< not asked of runs timed by the paper's literal formulas (docs/eq2.md)
   bool compares_runs = false;       ///< asked in any scalar; others judge numbers that Real must hold
@@ -40,11 +40,14 @@ struct RunLaw {
 const std::vector<RunLaw>& run_laws();
 
 /// A RapidCheck property: generates a scene, has it judged, fails with the law, its page and the finding.
-void check_law(const RunLaw& law, Simulator& simulator);
+void check_law(const RunLaw& law, Simulator& simulator, int dimension = 0);
 
 /// The scenes of most laws.
-inline std::function<rc::Gen<SmallScene>()> of(const Wanted& wanted) {
-  return [wanted] { return small_scene(wanted); };
+inline std::function<rc::Gen<SmallScene>(int)> of(Wanted wanted) {
+  return [wanted](int dimension) mutable {
+    wanted.dimension = dimension;
+    return small_scene(wanted);
+  };
 }
 
 /// What is wrong at an event, given the state before it; nothing where all is well.
@@ -65,4 +68,4 @@ std::vector<RunLaw> symmetry_laws();
 std::vector<RunLaw> continuation_laws();
 std::vector<RunLaw> orbit_laws();
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -4,13 +4,13 @@
 #include "properties/runs/choices.hpp"
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 /// A pair at its outer limit that moves exactly across; c_retract < 1, so that at 45° no retraction suffices.
-Scene orbit() {
+Scene orbit(int dimension) {
   Scene scene;
-  scene.dimension = pick({2, 3});
+  scene.dimension = dimension != 0 ? dimension : pick({2, 3});
   scene.duration = std::numeric_limits<double>::infinity();
   const double R = pick({1.0, 0.1, 7.0});
   const double speed = *rc::gen::inRange(1, 5) * pick({1.0, 0.3});
@@ -81,8 +81,11 @@ std::vector<RunLaw> orbit_laws() {
        "A pair that moves across its taut tether at 45° has four events a revolution, each a quarter turn, "
        "and a revolution multiplies its speed by c_revolve.",
        "docs/eq5.md",
-       [] { return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] { return SmallScene{orbit()}; })); },
+       [](int dimension) {
+         return rc::gen::resize(rc::kNominalSize,
+                                rc::gen::exec([dimension] { return SmallScene{orbit(dimension)}; }));
+       },
        orbits}};
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

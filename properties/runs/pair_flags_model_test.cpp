@@ -8,7 +8,7 @@
 
 #include "reference/engine/tethers.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 constexpr int kFlagged = 5;
@@ -112,4 +112,4 @@ RC_GTEST_PROP(RespondedModel, IsASetOfFlags, ()) {
 }
 
 }  // namespace
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 constexpr Real kInfinite = std::numeric_limits<Real>::infinity();
@@ -197,4 +197,4 @@ void Replay::change_phase(const TracedEvent& event) {
   }
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -12,7 +12,7 @@
 #include "properties/runs/trace.hpp"
 #include "reference/scene/scene.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// A particle that flies straight from where its velocity was last set.
 struct Flight {
@@ -99,4 +99,4 @@ class Replay {
 /// μ without a division by infinity.
 Real reduced(Real mass_i, Real mass_j);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

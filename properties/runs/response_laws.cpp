@@ -1,11 +1,12 @@
 // What an event does: momentum, energy, and the responses of eqs. (3)-(7), each judged from the trace's own
 // state before the event.
 #include <cmath>
+#include <set>
 
 #include "properties/runs/collision.hpp"
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 /// The velocities after an event of every particle that it moves: of groups, too, whose other members are not
@@ -16,14 +17,21 @@ Replay after_event(const Replay& before, const TracedEvent& event) {
   return after;
 }
 
-/// Σ u m (|v| + |v'|)^power over the finite masses that an event moves or could have moved.
+/// The finite masses that an event moves, or would have moved had rounding not erased it.
+std::set<int> concerned(const Replay& before, const TracedEvent& event) {
+  std::set<int> all;
+  for (const auto& [id, state] : event.post) {
+    if (!before.is_fixed(before.index_of(id))) all.merge(before.with(before.index_of(id)));
+  }
+  return all;
+}
+
+/// Σ m (|v| + |v'|)^power over them.
 Real rounding_share(const Replay& before, const Replay& after, const TracedEvent& event, int power) {
   Real share = 0;
-  for (int i = 0; i < before.size(); ++i) {
-    const bool named = event.post.contains(before.id_of(i));
-    const Point &v = before.flight(i).velocity, &w = after.flight(i).velocity;
-    if (before.is_fixed(i) || (!named && v == w)) continue;
-    share += before.mass(i) * std::pow(v.norm() + w.norm(), Real(power));
+  for (const int i : concerned(before, event)) {
+    const Real speeds = before.flight(i).velocity.norm() + after.flight(i).velocity.norm();
+    share += before.mass(i) * std::pow(speeds, Real(power));
   }
   return share;
 }
@@ -182,4 +190,4 @@ std::vector<RunLaw> response_laws() {
   };
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

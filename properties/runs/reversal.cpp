@@ -10,7 +10,7 @@
 #include "reference/trace/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 /// Place and velocity of each particle at the end, component by component.
@@ -107,4 +107,4 @@ Real roundoff_of(const std::string& scalar) {
   return 0;
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

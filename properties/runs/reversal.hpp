@@ -8,7 +8,7 @@
 #include "properties/runs/trace.hpp"
 #include "reference/scene/scene.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// The beginning of a trace (its header and one full state at time 0) of the run back: all particles where a
 /// finished run has them at its end, which must be its scene's duration, with opposite velocities, plus
@@ -26,4 +26,4 @@ Real away_from_start(const RunTrace& run, const Scene& scene);
 /// u of the scalar itself; 0 for one that turned_round does not know.
 Real roundoff_of(const std::string& scalar);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -7,7 +7,7 @@
 
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 void PrintTo(const RunLaw& law, std::ostream* out) {
   *out << law.number << " " << law.name;
@@ -95,4 +95,4 @@ TEST(RunLawsOfACommand, ACommandThatFailsIsNamed) {
 }
 
 }  // namespace
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

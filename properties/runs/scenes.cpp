@@ -10,7 +10,7 @@
 #include "reference/scene/check_starts.hpp"
 #include "reference/scene/write_scene.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 using Site = std::array<int, 3>;
@@ -315,4 +315,4 @@ rc::Gen<SmallScene> small_scene(const Wanted& wanted) {
                          rc::gen::exec([wanted] { return SmallScene{Assembly(wanted).scene()}; }));
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

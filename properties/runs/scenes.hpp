@@ -8,7 +8,7 @@
 
 #include "reference/scene/scene.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// What a law needs of its scenes. The defaults allow everything.
 struct Wanted {
@@ -38,4 +38,4 @@ std::ostream& operator<<(std::ostream& out, const SmallScene& small);
 /// each, and returns the same.
 rc::Gen<SmallScene> small_scene(const Wanted& wanted = {});
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

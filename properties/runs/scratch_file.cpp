@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 ScratchFile::ScratchFile() {
   const std::string pattern = (std::filesystem::temp_directory_path() / "tps_run_XXXXXX").string();
@@ -35,4 +35,4 @@ std::string ScratchFile::content() const {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 class ScratchFile {
  public:
@@ -21,4 +21,4 @@ class ScratchFile {
   std::string path_;
 };
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

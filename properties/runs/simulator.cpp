@@ -8,7 +8,7 @@
 #include "reference/scene/write_scene.hpp"
 #include "verify/certified/exact_timing.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 class Reference final : public Simulator {
@@ -98,4 +98,4 @@ std::unique_ptr<Simulator> command_simulator(const std::string& command, const s
   return std::make_unique<Command>(command, scalar, timing);
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

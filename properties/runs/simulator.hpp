@@ -10,7 +10,7 @@
 #include "properties/runs/trace.hpp"
 #include "reference/scene/scene.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// Where a run ends, and how often its trace holds a full state (0: as the implementation likes).
 struct Extent {
@@ -47,4 +47,4 @@ std::unique_ptr<Simulator> reference_simulator(const std::string& scalar, const 
 std::unique_ptr<Simulator> command_simulator(const std::string& command, const std::string& scalar,
                                              const std::string& timing);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -5,7 +5,7 @@
 
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 /// A change of units: lengths, times and masses by powers of two, axes by signs and perhaps a swap of x and
@@ -229,4 +229,4 @@ std::vector<RunLaw> symmetry_laws() {
   };
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

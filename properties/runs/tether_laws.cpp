@@ -5,7 +5,7 @@
 #include "properties/runs/collision.hpp"
 #include "properties/runs/laws.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 bool has_room(const Scene& scene, const Replay& replay, int i) {
@@ -97,4 +97,4 @@ std::vector<RunLaw> tether_laws() {
   };
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

@@ -5,7 +5,7 @@
 
 #include "reference/scene/json_document.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 namespace {
 
 [[noreturn]] void lacks(std::size_t line, const std::string& what) {
@@ -96,4 +96,4 @@ RunTrace read_trace(std::string_view bytes) {
   return trace;
 }
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs

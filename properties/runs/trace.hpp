@@ -10,7 +10,7 @@
 
 #include "properties/runs/judge.hpp"
 
-namespace tps::properties {
+namespace tps::properties::runs {
 
 /// A particle at an event.
 struct TracedState {
@@ -48,4 +48,4 @@ struct RunTrace {
 /// Reads a whole trace. Throws InputError, or std::runtime_error that names the line and what it lacks.
 RunTrace read_trace(std::string_view bytes);
 
-}  // namespace tps::properties
+}  // namespace tps::properties::runs
