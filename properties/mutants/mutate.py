@@ -45,7 +45,10 @@ def write_overlay(name, root, out):
         sys.exit("\n".join(faults(root)))
     target = out / mutant["file"]
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(source.replace(mutant["find"], mutant["replace"]), encoding="utf-8")
+    text = source.replace(mutant["find"], mutant["replace"])
+    # Left alone where nothing has changed, so that a new entry in the list builds no other mutant again.
+    if not target.exists() or target.read_text(encoding="utf-8") != text:
+        target.write_text(text, encoding="utf-8")
 
 
 def tests_of(program):

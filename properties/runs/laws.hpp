@@ -67,5 +67,6 @@ std::vector<RunLaw> group_laws();
 std::vector<RunLaw> symmetry_laws();
 std::vector<RunLaw> continuation_laws();
 std::vector<RunLaw> orbit_laws();
+std::vector<RunLaw> contact_laws();
 
 }  // namespace tps::properties::runs

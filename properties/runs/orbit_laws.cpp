@@ -25,9 +25,11 @@ Scene orbit(int dimension) {
   law.tethering->c_revolve = pick({0.5, 1.0, 0.9, 0.1});
   law.tethering->form = {FormRule::When::never, 1};
   scene.pairs = {law};
+  // Turned, so that v_n may be negative by rounding.
+  const double angle = *rc::gen::inRange(0, 100), x = std::cos(angle), y = std::sin(angle);
   const bool upwards = scene.dimension == 3 && *rc::gen::arbitrary<bool>();
-  scene.particles = {{0, 0, {}, {}},
-                     {1, 1, {R, 0, 0}, upwards ? Coordinates{0, 0, speed} : Coordinates{0, speed, 0}}};
+  const Coordinates across = upwards ? Coordinates{0, 0, speed} : Coordinates{-speed * y, speed * x, 0};
+  scene.particles = {{0, 0, {}, {}}, {1, 1, {R * x, R * y, 0}, across}};
   scene.tethers = {{0, 1}};
   return scene;
 }

@@ -99,14 +99,6 @@ std::optional<std::string> accounts_for_energy(const Replay& before, const Trace
                 std::abs(change - expected), 64 * u * kSpare * rounding_share(before, after, event, 2));
 }
 
-/// Δp is parallel to the axis to a few u, so that its sign is that of v_n, however small.
-std::optional<std::string> repels(const Replay& before, const TracedEvent& event, Real) {
-  if (event.kind != "rebound") return std::nullopt;
-  const Collided c = collided(before, event);
-  if (event.dp.value().dot(c.axis) > 0) return "the impulse attracts";
-  return std::nullopt;
-}
-
 /// Velocities after an impulse or a load, by eqs. (3) and (6): 2u of |v| + |v'|; 6u for (6).
 std::optional<std::string> moves_bodies(const Replay& before, const TracedEvent& event, const Collided& c,
                                         Real u) {
@@ -165,14 +157,6 @@ RunLaw law(int number, std::string name, std::string sentence, std::string page,
 }  // namespace
 
 std::vector<RunLaw> response_laws() {
-  RunLaw repulsion =
-      law(22, "Repulsion",
-          "No rebound attracts: where rounding leaves a pair receding at its inner limit, the event stands "
-          "with Δp = 0.",
-          "docs/decisions.md", repels);
-  Wanted contacts;
-  contacts.contacts = Wanted::Choice::always;
-  repulsion.scenes = of(contacts);
   return {
       law(1, "Momentum",
           "Every event conserves the momentum of the finite masses, but for the recorded impulses of "
@@ -186,7 +170,6 @@ std::vector<RunLaw> response_laws() {
           "Every collision gives eq. (4)'s impulse, or eq. (5)'s where retraction does not suffice; it "
           "acts by eq. (3), or loads by eqs. (6) and (7).",
           "docs/eq4.md", responds),
-      repulsion,
   };
 }
 

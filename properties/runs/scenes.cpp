@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "properties/runs/choices.hpp"
+#include "properties/runs/scene_rules.hpp"
 #include "reference/scene/check_starts.hpp"
 #include "reference/scene/write_scene.hpp"
 
@@ -15,16 +16,6 @@ namespace {
 
 using Site = std::array<int, 3>;
 using Choice = Wanted::Choice;
-
-double thousandth() {
-  return *rc::gen::inRange(0, 1001) / 1000.0;
-}
-
-double coefficient_of(const Wanted& wanted) {
-  if (!wanted.dissipation) return 1;
-  const double edge = pick({1.0, 0.0, 0.5, 0.9, 0.05, 2.0});
-  return edge == 2.0 ? thousandth() : edge;
-}
 
 double mass_of_species() {
   const int decades = pick({0, 0, 0, 3, 12});
@@ -45,38 +36,6 @@ Limits limits(const Wanted& wanted) {
                Limits{1 - tight, 1 + tight, false}, Limits{0.25, 2, true}});
 }
 
-FormRule form_rule(const Wanted& wanted) {
-  using When = FormRule::When;
-  if (!wanted.changing_tethers) return {When::never, 1};
-  const When when =
-      wanted.draws ? pick({When::never, When::always, When::probability}) : pick({When::never, When::always});
-  return {when, when == When::probability ? thousandth() : 1};
-}
-
-/// Thresholds of the size that impulses have where masses and speeds are small whole numbers.
-BreakRule break_rule(const Wanted& wanted, double unit) {
-  using When = BreakRule::When;
-  BreakRule rule;
-  if (!wanted.changing_tethers) return rule;
-  rule.when = wanted.draws
-                  ? pick({When::never, When::never, When::always, When::probability, When::impulse_above})
-                  : pick({When::never, When::never, When::always, When::impulse_above});
-  if (rule.when == When::probability) rule.probability = thousandth();
-  if (rule.when == When::impulse_above) rule.threshold = unit * *rc::gen::inRange(0, 4);
-  return rule;
-}
-
-TetheringLaw tethering_law(const Wanted& wanted, double distance, double unit) {
-  TetheringLaw law;
-  law.distance = distance;
-  law.c_retract = coefficient_of(wanted);
-  law.c_revolve = coefficient_of(wanted);
-  law.theta_revolve_deg = wanted.dissipation ? pick({45.0, 30.0, 60.0, 1.0, 89.0, 1e-6, 89.999999}) : 1e-6;
-  law.form = form_rule(wanted);
-  law.breaks = break_rule(wanted, unit);
-  return law;
-}
-
 /// By an angle in the plane of x and y: what was exactly perpendicular then is so but for rounding.
 Coordinates turned(const Coordinates& x, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -95,13 +54,13 @@ class Assembly {
   Scene scene() {
     scene_.dimension = wanted_.dimension != 0 ? wanted_.dimension : pick({2, 3});
     scene_.duration = *rc::gen::inRange(1, 9);
-    contacts_ = wanted_.ties && chosen(wanted_.contacts, 10);
+    contacts_ = wanted_.ties && once_in(10);
     turned_ = contacts_ || (wanted_.ties && once_in(6));
     unit_ = pick({1.0, 0.1, 3.0, std::ldexp(1.0, -20)});
     const bool far = wanted_.ties && !turned_;
     const double away = far ? unit_ * pick({0, 0, 0, 1000, 1 << 20}) : 0;
     origin_ = {away, -away, scene_.dimension == 3 ? away : 0};
-    limits_ = contacts_ ? Limits{1, 1.5, false} : limits(wanted_);
+    limits_ = contacts_ ? pick({Limits{1, 1.5, false}, Limits{0.5, 1, false}}) : limits(wanted_);
     irregular_ = !wanted_.ties || *rc::gen::arbitrary<bool>();
     add_species();
     add_sites();

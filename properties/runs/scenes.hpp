@@ -19,9 +19,7 @@ struct Wanted {
   bool dissipation = true;  ///< coefficients below 1, and revolution at more than 1e-6 degrees
   bool changing_tethers = true;
   bool infinite_masses = true;
-  bool ties = true;  ///< starts at limits, alignments and whole numbers, which make events simultaneous
-  Choice contacts =
-      Choice::maybe;  ///< touching rows that move across themselves, turned: v_n is rounding alone
+  bool ties = true;   ///< starts at limits, alignments and whole numbers, which make events simultaneous
   int dimension = 0;  ///< 2 or 3; 0: either
 };
 
