@@ -46,7 +46,8 @@ class SceneSource {
   /// Whether so much is wrong that looking for more helps nobody.
   bool full() const { return problems_.full(); }
 
-  /// Scene::particles[k] is entry particle_entries[k] of the file's list.
+  /// Scene::particles[k] stands at /particles/N, N = particle_entries[k]: its place in a list, or its id
+  /// where ids are keys.
   std::vector<std::size_t> particle_entries;
 
  private:

@@ -1,8 +1,9 @@
-"""The schema of scenes, judged by a validator that shares no code with ours (python3-jsonschema).
+"""The schemas of what we read, judged by a validator that shares no code with ours (python3-jsonschema).
 
-1. data/schemas/*.json are valid schemas, every key of theirs has a title or description, and an example that fits.
+1. data/schemas/*.json are valid schemas; every key of what we read has a description, and an example that fits.
 2. Every good scene, and every scene under data/scenes, is accepted.
 3. Every broken scene whose fault the schema can express is refused; the others are listed here with the reason.
+4. The scenarios that `tps import` is tested with are accepted.
 """
 
 import json
@@ -16,6 +17,7 @@ import jsonschema
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BROKEN = ROOT / "tests/scene/broken"
 SCENE = json.loads((ROOT / "data/schemas/scene.schema.json").read_text(encoding="utf-8"))
+ARSLAB_TPS = json.loads((ROOT / "data/schemas/arslab_tps.schema.json").read_text(encoding="utf-8"))
 
 # Faults of meaning: the shape is right.
 SEMANTIC = {
@@ -59,21 +61,23 @@ class SchemaFiles(unittest.TestCase):
             jsonschema.Draft202012Validator.check_schema(json.loads(file.read_text(encoding="utf-8")))
 
     def test_every_key_is_described(self):
-        for place, schema in subschemas(SCENE):
-            if "/properties/" in place or "/$defs/" in place:
-                target = SCENE["$defs"].get(schema.get("$ref", "").removeprefix("#/$defs/"), {})
-                self.assertTrue(place.endswith("/items") or "description" in {**target, **schema}, place)
+        for root in (SCENE, ARSLAB_TPS):
+            for place, schema in subschemas(root):
+                if "/properties/" in place or "/$defs/" in place:
+                    target = root["$defs"].get(schema.get("$ref", "").removeprefix("#/$defs/"), {})
+                    self.assertTrue(place.endswith("/items") or "description" in {**target, **schema}, place)
 
     def test_every_key_has_examples_and_they_fit(self):
-        for place, schema in subschemas(SCENE):
-            if "not" in schema or place.endswith("/items"):
-                continue
-            target = SCENE["$defs"].get(schema.get("$ref", "").removeprefix("#/$defs/"), {})
-            examples = {**target, **schema}.get("examples", [])
-            self.assertTrue(examples, place)
-            whole = {**schema, "$defs": SCENE["$defs"]}
-            for example in examples + ([schema["default"]] if "default" in schema else []):
-                validator(whole).validate(example)
+        for root in (SCENE, ARSLAB_TPS):
+            for place, schema in subschemas(root):
+                if "not" in schema or place.endswith("/items"):
+                    continue
+                target = root["$defs"].get(schema.get("$ref", "").removeprefix("#/$defs/"), {})
+                examples = {**target, **schema}.get("examples", [])
+                self.assertTrue(examples, place)
+                whole = {**schema, "$defs": root["$defs"]}
+                for example in examples + ([schema["default"]] if "default" in schema else []):
+                    validator(whole).validate(example)
 
     def test_patterns_describe_hexadecimal_floats(self):
         number = re.compile(SCENE["$defs"]["number"]["pattern"])
@@ -97,6 +101,15 @@ class Scenes(unittest.TestCase):
         for name in sorted(names - NOT_JSON):
             with self.subTest(name):
                 self.assertEqual(accepts(BROKEN / f"{name}.json"), name in SEMANTIC | NUMBERS_IN_STRINGS)
+
+
+class Scenarios(unittest.TestCase):
+    def test_those_that_are_imported_are_accepted(self):
+        files = sorted((ROOT / "tests/import/data").glob("*.json"))
+        self.assertTrue(files)
+        for file in files:
+            with self.subTest(file.name):
+                validator(ARSLAB_TPS).validate(json.loads(file.read_text(encoding="utf-8")))
 
 
 if __name__ == "__main__":

@@ -47,8 +47,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.footer(kFooter);
   tps::cli::add_run(app, exit_code);
+  tps::cli::add_check(app, exit_code);
   tps::cli::add_explain(app, exit_code);
   tps::cli::add_scene(app, exit_code);
+  tps::cli::add_import(app, exit_code);
   tps::cli::add_draw(app, exit_code);
   tps::cli::add_claims(app, exit_code);
   tps::cli::add_eval(app, exit_code);

@@ -21,7 +21,8 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-ProgressReport::ProgressReport(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressReport::ProgressReport(bool quiet, std::string quantity)
+    : quiet_(quiet), quantity_(std::move(quantity)), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressReport::~ProgressReport() {
   if (drawn_) fmt::print(stderr, "\r\033[K");
@@ -39,7 +40,8 @@ void ProgressReport::update(const RunOptions::Progress& progress) {
   last_line_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double rate = static_cast<double>(progress.events - events_before_) / seconds;
-  std::string text = fmt::format("{} events, {:.3g} events/s, t = {:.6g}", progress.events, rate, progress.t);
+  std::string text =
+      fmt::format("{} events, {:.3g} events/s, {} = {:.6g}", progress.events, rate, quantity_, progress.t);
   if (std::isfinite(progress.duration)) {
     const double part = std::clamp(progress.t / progress.duration, 0.0, 1.0);
     const double done_here = progress.t - t_before_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "reference/run/run.hpp"
 
@@ -9,7 +10,8 @@ namespace tps::cli {
 
 class ProgressReport {
  public:
-  explicit ProgressReport(bool quiet);
+  /// `quantity`: what Progress::t and duration measure.
+  explicit ProgressReport(bool quiet, std::string quantity = "t");
   ~ProgressReport();
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;
@@ -20,6 +22,7 @@ class ProgressReport {
   using Clock = std::chrono::steady_clock;
 
   bool quiet_;
+  std::string quantity_;
   bool terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();

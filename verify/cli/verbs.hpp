@@ -6,8 +6,10 @@
 namespace tps::cli {
 
 void add_run(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_scene(CLI::App& app, int& exit_code);
+void add_import(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);

@@ -32,6 +32,9 @@ class LineReader {
         before_waiting_(std::move(before_waiting)),
         stop_(std::move(stop)) {}
 
+  /// From the next line on.
+  void set_longest_line(std::size_t bytes) { longest_ = bytes; }
+
   /// Throws InputError where the system refuses to read (a directory, a closed descriptor).
   Result next();
 

@@ -1,0 +1,93 @@
+// Rule bias: times that are each within the bound, and a tenth of an ulp too long on the whole.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "tests/run/traced_run.hpp"
+#include "tests/trace_check/scenes.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps::mutation {
+namespace {
+
+using check::CheckReport;
+using check::Rule;
+
+constexpr std::uint64_t kEvents = 12'000;
+
+/// Exact timing, but one time in ten, chosen by its digits, is the next double in a direction.
+class ShiftedTiming final : public CertifiedTiming {
+ public:
+  enum class Shift { later, earlier, either };
+  explicit ShiftedTiming(Shift shift) : shift_(shift) {}
+
+  CollisionTime<double> answer(const TimingQuery& query) override {
+    CollisionTime<double> result = exact_.answer(query);
+    if (!result.t || *result.t == 0) return result;
+    const std::uint64_t scrambled = std::bit_cast<std::uint64_t>(*result.t) * 0x9e3779b97f4a7c15U;
+    if (scrambled >> 32U >= (std::uint64_t{1} << 32U) / 10) return result;
+    const bool later = shift_ == Shift::later || (shift_ == Shift::either && (scrambled & (1U << 20U)) != 0);
+    result.t = std::nextafter(*result.t, later ? HUGE_VAL : 0.);
+    return result;
+  }
+  std::weak_ordering order(const Moment& first, const Moment& second) override {
+    return exact_.order(first, second);
+  }
+  const TimingCounters& counters() const override { return exact_.counters(); }
+
+ private:
+  certified::ExactTiming exact_;
+  Shift shift_;
+};
+
+/// The check of a run whose times are shifted, which passes as one of stable formulas.
+CheckReport checked_with(ShiftedTiming::Shift shift) {
+  ShiftedTiming timing(shift);
+  RunOptions options = testing::options_for("double", kEvents);
+  options.timing = Timing::certified;
+  options.certifier = &timing;
+  std::string bytes = testing::traced(long_gas(), options).bytes;
+  const std::string name = R"("timing":"certified")";
+  bytes.replace(bytes.find(name), name.size(), R"("timing":"stable")");
+  const std::string path = testing::scratch("shifted.ndjson");
+  testing::write_bytes(path, bytes);
+  return check::check_trace(path);
+}
+
+std::uint64_t violated_but_bias(const CheckReport& report) {
+  return report.violated() - report.of(Rule::bias).violated;
+}
+
+TEST(Bias, OfATenthOfAnUlpLaterIsSeenAlthoughEveryStepPasses) {
+  const CheckReport report = checked_with(ShiftedTiming::Shift::later);
+  EXPECT_EQ(report.of(Rule::bias).violated, 1U) << report_text(report);
+  EXPECT_EQ(violated_but_bias(report), 0U) << report_text(report);
+}
+
+TEST(Bias, OfATenthOfAnUlpEarlierIsSeenAlthoughEveryStepPasses) {
+  const CheckReport report = checked_with(ShiftedTiming::Shift::earlier);
+  EXPECT_EQ(report.of(Rule::bias).violated, 1U) << report_text(report);
+  EXPECT_EQ(violated_but_bias(report), 0U) << report_text(report);
+}
+
+TEST(Bias, IsNotSeenInErrorsOfEitherSign) {
+  const CheckReport report = checked_with(ShiftedTiming::Shift::either);
+  EXPECT_TRUE(report.conforming()) << report_text(report);
+  EXPECT_GT(report.of(Rule::bias).passed, 0U);
+}
+
+TEST(Bias, IsNotSeenInRunsOfAnyTiming) {
+  for (const Timing timing : {Timing::paper, Timing::stable, Timing::certified}) {
+    const std::string path = testing::scratch("long.ndjson");
+    testing::write_bytes(path, trace_bytes(long_gas(), "double", timing, kEvents));
+    const CheckReport report = check::check_trace(path);
+    EXPECT_TRUE(report.conforming()) << report_text(report);
+    EXPECT_GT(report.of(Rule::bias).passed, 0U) << report_text(report);
+  }
+}
+
+}  // namespace
+}  // namespace tps::mutation

@@ -1,0 +1,167 @@
+#include "tests/trace_check/broken_trace.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "reference/scene/read_scene.hpp"
+#include "reference/trace/hexfloat.hpp"
+
+namespace tps::mutation {
+namespace {
+
+HexDigits digits_of(const Json& hex) {
+  return *split_hex(hex.get<std::string>());
+}
+
+/// a + b or a − b, all digits.
+std::string exact_difference(const Json& b, const Json& a) {
+  std::array<HexDigits, 2> terms = {digits_of(b), digits_of(a)};
+  terms[1].negative = !terms[1].negative;
+  return join_hex(exact_sum(terms));
+}
+
+std::string rounded(const Trace& trace, const std::string& hex) {
+  if (trace.scalar == "float") return to_hex(std::strtof(hex.c_str(), nullptr));
+  return to_hex(std::strtod(hex.c_str(), nullptr));
+}
+
+/// hi and lo of a time since the start.
+Json two_parts(const Trace& trace, const std::string& since) {
+  const std::string hi = rounded(trace, since);
+  return Json::array({hi, rounded(trace, exact_difference(since, hi))});
+}
+
+struct Counted {
+  std::uint64_t events = 0, progress_event = 0;
+  std::string t, hi;
+  std::map<std::string, std::uint64_t> by_kind;
+};
+
+void settle_event(const Trace& trace, Json& line, Counted& so_far, const std::string& start) {
+  const std::string t = line.at("t");
+  const std::string hi = rounded(trace, exact_difference(t, start));
+  if (hi != so_far.hi) so_far.progress_event = so_far.events;
+  line["k"] = ++so_far.events;
+  line["dt"] = rounded(trace, exact_difference(t, so_far.t));
+  so_far.t = t;
+  so_far.hi = hi;
+  ++so_far.by_kind[line.at("kind")];
+}
+
+void settle_state(const Trace& trace, Json& line, const Counted& so_far, const std::string& start) {
+  line["state"] = so_far.events;
+  line["t"] = so_far.t;
+  line["now"] = line["last_event"] = two_parts(trace, exact_difference(so_far.t, start));
+  line["progress_event"] = so_far.progress_event;
+  std::map<std::string, std::uint64_t> counts = so_far.by_kind;
+  for (const auto& [kind, count] : line.at("counts").items()) {
+    if (kind.starts_with('#')) counts[kind] = count;
+  }
+  line["counts"] = counts;
+}
+
+}  // namespace
+
+Trace trace_of(const std::string& bytes) {
+  Trace trace;
+  std::istringstream text(bytes);
+  for (std::string line; std::getline(text, line);) trace.lines.push_back(Json::parse(line));
+  const Json& head = trace.lines.front();
+  trace.scalar = head.at("scalar");
+  trace.scene = read_scene_text(head.at("scene").dump(), "the trace's scene");
+  return trace;
+}
+
+std::string text_of(const Trace& trace) {
+  std::string text;
+  for (const Json& line : trace.lines) text += line.dump() + "\n";
+  text.resize(text.size() - trace.torn);
+  return text;
+}
+
+std::vector<std::size_t> event_lines(const Trace& trace) {
+  std::vector<std::size_t> lines;
+  for (std::size_t n = 0; n < trace.lines.size(); ++n) {
+    if (is_event(trace.lines[n])) lines.push_back(n);
+  }
+  return lines;
+}
+
+void settle(Trace& trace) {
+  const std::string start = to_hex(trace.scene.start_time);
+  Counted so_far;
+  so_far.t = start;
+  so_far.hi = to_hex(0.);
+  for (Json& line : trace.lines) {
+    if (is_event(line)) settle_event(trace, line, so_far, start);
+    if (is_state(line)) settle_state(trace, line, so_far, start);
+    if (is_end(line)) {
+      line["events"] = so_far.events;
+      if (line.at("end") != "duration") line["t"] = so_far.t;
+    }
+  }
+}
+
+double number(const Json& hex) {
+  return std::strtod(hex.get_ref<const std::string&>().c_str(), nullptr);
+}
+
+Vec numbers(const Json& hexes) {
+  Vec v(hexes.size());
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] = number(hexes[k]);
+  return v;
+}
+
+double dot(const Vec& a, const Vec& b) {
+  return (a * b).sum();
+}
+
+double length(const Vec& v) {
+  return std::sqrt(dot(v, v));
+}
+
+std::string spelt(const Trace& trace, double x) {
+  return rounded(trace, to_hex(x));
+}
+
+Json spelt(const Trace& trace, const Vec& v) {
+  Json hexes = Json::array();
+  for (const double x : v) hexes.push_back(spelt(trace, x));
+  return hexes;
+}
+
+double epsilon(const Trace& trace) {
+  return trace.scalar == "float" ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                                 : std::numeric_limits<double>::epsilon();
+}
+
+std::string stepped(const Trace& trace, const Json& hex, int ulps) {
+  double x = number(hex);
+  const double away = std::copysign(std::numeric_limits<double>::infinity(), x);
+  for (int n = 0; n < ulps; ++n) {
+    x = trace.scalar == "float"
+            ? static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(away)))
+            : std::nextafter(x, away);
+  }
+  return spelt(trace, x);
+}
+
+double elapsed(const Json& a, const Json& b) {
+  return std::strtod(exact_difference(b, a).c_str(), nullptr);
+}
+
+double since_start(const Trace& trace, const Json& t) {
+  return elapsed(to_hex(trace.scene.start_time), t);
+}
+
+std::string clock_time(const Trace& trace, double since) {
+  const std::array<HexDigits, 2> terms = {hex_digits(trace.scene.start_time),
+                                          *split_hex(spelt(trace, since))};
+  return join_hex(exact_sum(terms));
+}
+
+}  // namespace tps::mutation

@@ -1,0 +1,149 @@
+// The grid misses nobody, and does not look at everybody.
+#include "verify/trace_check/neighbours.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "reference/scene/scene.hpp"
+
+namespace tps::check {
+namespace {
+
+/// Spheres of two sizes in a box, one far-reaching one among them.
+Scene crowd(int count, int dimension) {
+  Scene scene;
+  scene.dimension = dimension;
+  scene.species = {{"small", 1, 0.25, {}}, {"large", 1, 0.5, {}}, {"wall", HUGE_VAL, 4, {}}};
+  for (const auto& [a, b, distance] : {std::tuple(0, 0, 0.5), std::tuple(0, 1, 0.75), std::tuple(1, 1, 1.0),
+                                       std::tuple(0, 2, 4.25), std::tuple(1, 2, 4.5)}) {
+    scene.pairs.push_back({a, b, BlockingLaw{distance, 1}, std::nullopt});
+  }
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(0, std::pow(count, 1.0 / dimension) * 2);
+  for (int n = 0; n < count; ++n) {
+    Particle p{n, n == 0 ? 2 : n % 3 == 0 ? 1 : 0, {}, {}};
+    for (int k = 0; k < dimension; ++k) p.position[static_cast<std::size_t>(k)] = place(random);
+    scene.particles.push_back(p);
+  }
+  return scene;
+}
+
+struct Flying {
+  Coordinates position, velocity;
+  double since;
+  double anchored;  ///< when its anchor was set
+
+  Coordinates at(double t) const {
+    Coordinates x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = position[k] + velocity[k] * (t - since);
+    return x;
+  }
+};
+
+double distance(const Coordinates& a, const Coordinates& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Follows a crowd whose members change course at random times. Whenever an anchor ends, everybody who came
+/// within the blocking distance since the later of the two anchors has to be near.
+struct Followed {
+  int meetings = 0, missed = 0, asked = 0, looked_at = 0;
+};
+
+Followed follow(int count, int dimension, double speed) {
+  const Scene scene = crowd(count, dimension);
+  Neighbours neighbours(scene);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0, speed);
+  std::vector<Flying> all;
+  for (const Particle& p : scene.particles) all.push_back({p.position, {}, 0, 0});
+  const auto turn = [&](int i, double now) {
+    Flying& f = all[static_cast<std::size_t>(i)];
+    f.position = f.at(now);
+    f.since = f.anchored = now;
+    for (int k = 0; k < dimension; ++k) f.velocity[static_cast<std::size_t>(k)] = i == 0 ? 0 : normal(random);
+    neighbours.place(i, f.position, f.velocity, now);
+  };
+  const auto limit = [&](int i, int j) {
+    const int a = scene.particles[static_cast<std::size_t>(i)].species;
+    const int b = scene.particles[static_cast<std::size_t>(j)].species;
+    for (const PairLaw& law : scene.pairs) {
+      if (law.species_a == std::min(a, b) && law.species_b == std::max(a, b)) return law.blocking->distance;
+    }
+    return 0.0;
+  };
+  Followed followed;
+  const auto look = [&](int i, double now) {
+    const std::vector<int> near = neighbours.near(i);
+    ++followed.asked;
+    followed.looked_at += static_cast<int>(near.size());
+    const Flying& f = all[static_cast<std::size_t>(i)];
+    for (int j = 0; j < count; ++j) {
+      if (j == i) continue;
+      const Flying& g = all[static_cast<std::size_t>(j)];
+      const double from = std::max(f.anchored, g.anchored);
+      bool met = false;
+      for (int step = 0; step <= 8; ++step) {
+        const double t = from + (now - from) * step / 8;
+        met = met || distance(f.at(t), g.at(t)) < limit(i, j);
+      }
+      if (!met) continue;
+      ++followed.meetings;
+      if (std::find(near.begin(), near.end(), j) == near.end()) ++followed.missed;
+    }
+  };
+  for (int i = 0; i < count; ++i) turn(i, 0);
+  std::uniform_int_distribution<int> anyone(1, count - 1);
+  std::exponential_distribution<double> waiting(count);
+  double now = 0;
+  for (int event = 0; event < 400; ++event) {
+    now += waiting(random);
+    while (const auto expired = neighbours.expiry_until(now)) {
+      look(expired->particle, expired->t);
+      Flying& f = all[static_cast<std::size_t>(expired->particle)];
+      f.anchored = expired->t;
+      neighbours.place(expired->particle, f.at(expired->t), f.velocity, expired->t);
+    }
+    const int i = anyone(random);
+    look(i, now);
+    turn(i, now);
+  }
+  return followed;
+}
+
+class Crowds : public testing::TestWithParam<std::tuple<int, int, double>> {};
+
+TEST_P(Crowds, NobodyIsMissed) {
+  const auto [count, dimension, speed] = GetParam();
+  const Followed followed = follow(count, dimension, speed);
+  EXPECT_EQ(followed.missed, 0);
+  EXPECT_GT(followed.meetings, 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Crowds,
+                         testing::Values(std::tuple(20, 3, 1.0), std::tuple(200, 3, 1.0),
+                                         std::tuple(200, 2, 1.0), std::tuple(200, 3, 30.0),
+                                         std::tuple(400, 2, 0.01)));
+
+TEST(Neighbours, LookAtAFewWhateverTheirNumber) {
+  const Followed few = follow(200, 3, 1);
+  const Followed many = follow(1600, 3, 1);
+  const double per_look_few = static_cast<double>(few.looked_at) / few.asked;
+  const double per_look_many = static_cast<double>(many.looked_at) / many.asked;
+  EXPECT_LT(per_look_few, 60);
+  EXPECT_LT(per_look_many, 1.5 * per_look_few);
+}
+
+// Without any blocking nobody has to be looked for.
+TEST(Neighbours, AreNobodyWhereNothingBlocks) {
+  Scene scene = crowd(100, 3);
+  for (PairLaw& law : scene.pairs) law.blocking.reset();
+  Neighbours neighbours(scene);
+  EXPECT_TRUE(neighbours.near(7).empty());
+}
+
+}  // namespace
+}  // namespace tps::check

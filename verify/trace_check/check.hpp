@@ -1,0 +1,33 @@
+// The trace check: is a run right and, if not, where did it first go wrong? (docs/check.md)
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/trace_check/report.hpp"
+
+namespace tps::check {
+
+struct CheckOptions {
+  std::string scene;              ///< a scene file that the trace's own scene has to equal; empty: none
+  double tolerance = 1;           ///< multiplies every derived bound
+  std::uint64_t max_reports = 5;  ///< findings that are kept in full, for each rule
+  const std::atomic<bool>* interrupt = nullptr;  ///< gives up, in good order, once it is true
+
+  struct Progress {
+    std::uint64_t bytes, events;  ///< read so far
+  };
+  std::function<void(const Progress&)> progress;  ///< called every few thousand lines
+};
+
+/// Judges every step of a trace from the trace's own previous state; "-" is the standard input.
+///
+/// Memory grows with the number of particles and does not with the length of the trace. Throws InputError
+/// where there is nothing to judge: no file, no header, a broken scene.
+CheckReport check_trace(const std::string& path, const CheckOptions& options = {});
+
+}  // namespace tps::check

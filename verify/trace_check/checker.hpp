@@ -1,0 +1,74 @@
+// The check of one trace, line by line.
+#pragma once
+
+#include <set>
+#include <tuple>
+
+#include "verify/trace_check/neighbours.hpp"
+#include "verify/trace_check/rules/bystanders.hpp"
+#include "verify/trace_check/rules/contact.hpp"
+#include "verify/trace_check/rules/earliest.hpp"
+#include "verify/trace_check/rules/flight.hpp"
+#include "verify/trace_check/rules/groups.hpp"
+#include "verify/trace_check/rules/order.hpp"
+#include "verify/trace_check/rules/progress.hpp"
+#include "verify/trace_check/rules/scheduled.hpp"
+#include "verify/trace_check/rules/states.hpp"
+#include "verify/trace_check/rules/tethers.hpp"
+
+namespace tps::check {
+
+template <typename Number>
+class Checker {
+ public:
+  using W = Work<Number>;
+
+  Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, Tally& tally);
+
+  Checker(const Checker&) = delete;
+  Checker& operator=(const Checker&) = delete;
+
+  void take(const EventLine<Number>& event);
+  void take(const StateLine<Number>& state);
+  void take(const EndLine<Number>& end);
+  /// The trace is over; without an end it was cut off.
+  void close();
+
+  const Model<Number>& model() const { return model_; }
+  std::uint64_t exact_comparisons() const { return exact_.counters().order.uncertain; }
+
+ private:
+  std::string shown_time(const Instant<Number>& t) const {
+    return fmt::format("t = {:.17g}", static_cast<double>(t.hi) + model_.scene.start_time);
+  }
+
+  Happening<Number> happening_of(const EventLine<Number>& event);
+  void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
+  void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
+  void renew_anchors(const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_everyone(const Instant<Number>& until, const Happening<Number>& happening);
+  void place(int i, const Instant<Number>& now);
+
+  std::vector<int> changing(const EventLine<Number>& event) const;
+  void follow(const EventLine<Number>& event);
+  void follow_load(const EventLine<Number>& event);
+  void follow_restitution(const EventLine<Number>& event);
+  void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
+
+  Model<Number> model_;
+  Tally& tally_;
+  Timing timing_;
+  bool minimal_;
+  certified::ExactTiming exact_;
+  const Context<Number> context_;
+  Neighbours neighbours_;
+  std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
+  bool earliest_held_ = true, bounds_held_ = true;
+  std::set<std::tuple<int, int, std::uint32_t, std::uint32_t>> reported_;
+  std::optional<BodiesNow<Number>> bodies_;
+  Expected<W> expected_;
+  bool ended_ = false;
+};
+
+}  // namespace tps::check

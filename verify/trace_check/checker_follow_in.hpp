@@ -1,0 +1,112 @@
+// How Checker takes over what a line says, whatever the rules think of it. Included by the instantiating
+// sources only.
+#pragma once
+
+#include "verify/trace_check/checker.hpp"
+
+namespace tps::check {
+
+template <typename Number>
+void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity) {
+  const InvolvedParticle<Number>* p = event.of(i);
+  const auto recorded = p == nullptr        ? std::optional<Vec<Number>>()
+                        : p->position_after ? p->position_after
+                                            : p->position_before;
+  W blur(0);
+  Vec<Number> position;
+  if (recorded) {
+    position = *recorded;
+  } else {
+    const Flight<Number>& flight = model_.flight(i);
+    blur = flight.blur;
+    position = carried(flight, event.t, model_.precision, blur);
+    if (minimal_) {
+      blur += context_.time_error(event.t) * length(widened<W>(flight.velocity)) +
+              W(2) * model_.precision.u * largest(widened<W>(position));
+    }
+  }
+  model_.set_flight(i, position, velocity, event.t, blur);
+}
+
+template <typename Number>
+void Checker<Number>::follow_load(const EventLine<Number>& event) {
+  auto node = std::make_unique<LoadNode<Number>>();
+  node->i = event.i;
+  node->j = event.j;
+  node->outer = event.kind != Kind::rebound;
+  node->members = {model_.members(event.i), model_.members(event.j)};
+  node->inverse_mass = {bodies_->inverse_i, bodies_->inverse_j};
+  node->recorded = event.dp_stored.has_value();
+  if (event.dp_stored) node->dp = *event.dp_stored;
+  const Vec<W> added = bodies_->mu * bodies_->v;
+  node->dp_exact = expected_.response.dp - added;
+  if (!node->recorded) {
+    node->dp_error = W(expected_.roundings) * expected_.response.error +
+                     W(6) * model_.precision.u * (length(expected_.response.dp) + length(added));
+  }
+  const W zero(0);
+  const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero
+                       ? zero
+                       : bodies_->inverse_i * bodies_->inverse_j / (bodies_->inverse_i + bodies_->inverse_j);
+  model_.groups.load(std::move(node), joined, event.t);
+}
+
+template <typename Number>
+void Checker<Number>::follow_restitution(const EventLine<Number>& event) {
+  Body<Number>* body = model_.groups.with_root(event.i, event.j);
+  if (body == nullptr) {
+    for (const InvolvedParticle<Number>& p : event.involved)
+      begin_flight(event, p.particle, p.velocity_after);
+    return;
+  }
+  const auto node = model_.groups.part(body);
+  const std::array<int, 2> pair = {event.i, event.j};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec<Number> velocity = event.of(pair[side])->velocity_after;
+    for (const int member : node->members[side]) begin_flight(event, member, velocity);
+  }
+  model_.note_response(event.i, event.j, node->outer);
+}
+
+/// Takes over what the event says happened, whatever the rules think of it.
+template <typename Number>
+void Checker<Number>::follow(const EventLine<Number>& event) {
+  const std::vector<int> changed = changing(event);
+  if (event.k) model_.events = *event.k - 1;
+  ++model_.events;
+  if (reading(event.t, model_.precision) != reading(model_.now, model_.precision)) {
+    model_.progress_event = model_.events - 1;
+  }
+  ++model_.kinds[std::string(name(event.kind))];
+  if (event.draw) {
+    const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
+    ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
+  }
+  const Context<Number>& c = context_;
+  const bool loads = bodies_ && is_collision(event.kind) && is_load(c, event, expected_) &&
+                     !model_.groups.together(event.i, event.j);
+  if (event.kind == Kind::restitute) {
+    follow_restitution(event);
+  } else {
+    if (loads) follow_load(event);
+    for (const InvolvedParticle<Number>& p : event.involved)
+      begin_flight(event, p.particle, p.velocity_after);
+  }
+  if (event.formed && *event.formed) {
+    model_.tethers[static_cast<std::size_t>(event.i)].insert(event.j);
+    model_.tethers[static_cast<std::size_t>(event.j)].insert(event.i);
+  }
+  if (event.kind == Kind::broken) {
+    model_.tethers[static_cast<std::size_t>(event.i)].erase(event.j);
+    model_.tethers[static_cast<std::size_t>(event.j)].erase(event.i);
+  } else if (is_collision(event.kind) && !model_.groups.together(event.i, event.j)) {
+    model_.note_response(event.i, event.j, event.kind != Kind::rebound);
+  }
+  if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) model_.apply_phase_change();
+  if (event.kind == Kind::scheduled_impulse && model_.impulses_done < model_.impulses.size())
+    ++model_.impulses_done;
+  model_.now = model_.last_event = event.t;
+  for (const int i : changed) place(i, event.t);
+}
+
+}  // namespace tps::check

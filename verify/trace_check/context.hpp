@@ -1,0 +1,55 @@
+// What every rule is given: the model before the event, where verdicts go, how the trace was timed.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "verify/certified/exact_timing.hpp"
+#include "verify/trace_check/model.hpp"
+#include "verify/trace_check/tally.hpp"
+
+namespace tps::check {
+
+template <typename Number>
+struct Context {
+  using W = Work<Number>;
+
+  Model<Number>& model;
+  Tally& tally;
+  Timing timing;
+  bool minimal;
+  certified::ExactTiming& exact;
+  std::function<std::string(const Instant<Number>&)> shown_time;  ///< on the scene's clock
+
+  W u() const { return model.precision.u; }
+  W scale() const { return W(tally.tolerance()); }
+  bool certified() const { return timing == Timing::certified; }
+
+  /// What times hi + lo may be off by: two roundings of the sum; of a minimal trace, the rounding of its
+  /// times.
+  W time_error(const Instant<Number>& t) const {
+    using std::abs;
+    const W size = abs(W(t.hi));
+    return minimal ? W(2) * u() * size : W(4) * u() * u() * size + model.precision.smallest;
+  }
+
+  /// "3-7", by ids.
+  std::string pair(int i, int j) const { return fmt::format("{}-{}", model.id(i), model.id(j)); }
+};
+
+/// A number in a message.
+template <typename W>
+std::string shown(const W& x) {
+  return fmt::format("{:.9g}", static_cast<double>(x));
+}
+template <typename W>
+double as_double(const W& x) {
+  return static_cast<double>(x);
+}
+/// Three or two components, as the scene has.
+template <typename W>
+std::string shown(const Vec<W>& x, int dimension) {
+  std::string text = fmt::format("({:.9g}, {:.9g}", static_cast<double>(x[0]), static_cast<double>(x[1]));
+  return text + (dimension == 3 ? fmt::format(", {:.9g})", static_cast<double>(x[2])) : ")");
+}
+
+}  // namespace tps::check

@@ -1,0 +1,124 @@
+// When the next event of a pair at a limit may have been computed to be: an interval that holds every answer
+// within the error bound of the trace's timing (docs/check.md, "When an event is due").
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/engine/timing.hpp"
+#include "verify/trace_check/number.hpp"
+
+namespace tps::check {
+
+/// r, v at one instant, and how far the stored position and the one carried there may be off.
+template <typename W>
+struct RelativeFlight {
+  Vec<W> r, v;
+  W blur{0};
+};
+
+/// The question of eq. (2): reach the limit L from outside (inner limit) or from inside (outer limit).
+template <typename W>
+struct LimitAsked {
+  bool outer;
+  W L;
+  bool responded = false;  ///< at the outer limit, and no velocity has changed since
+};
+
+/// The squared distance beyond the limit, q(t) = a t² + 2 h t + c.
+template <typename W>
+struct Quadratic {
+  W a, h, c;
+  W q_error;  ///< |q| at a time computed as a root of it is at most this
+  W h_error;
+
+  W at(const W& t) const { return c + t * (W(2) * h + a * t); }
+  W discriminant() const { return h * h - a * c; }
+};
+
+/// Bounds of docs/eq2.md for the stable formulas, 6 u (|r| + L) in distance; docs/check.md derives the one of
+/// the printed formulas, 40 u (|r|² + L²) in squared distance.
+template <typename W>
+Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& u, Timing timing,
+                          const W& scale) {
+  const W rr = dot(flight.r, flight.r);
+  const W distance = length(flight.r);
+  const W speed = length(flight.v);
+  Quadratic<W> q{dot(flight.v, flight.v), dot(flight.r, flight.v), (distance - L) * (distance + L), W(0),
+                 W(0)};
+  const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
+  q.q_error = scale * (rounding + W(2) * (L + flight.blur) * flight.blur);
+  q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed);
+  return q;
+}
+
+/// Times from the start of the pair's flight.
+template <typename W>
+struct Due {
+  bool can_be_none;   ///< no event at all is within the bound
+  bool must_be_none;  ///< any event would be beyond it
+  W earliest, latest;
+};
+
+template <typename W>
+Due<W> never_due() {
+  return {true, true, W(0), W(0)};
+}
+
+/// Blocking: the smaller root while approaching.
+template <typename W>
+Due<W> inner_due(const Quadratic<W>& q) {
+  using std::sqrt;
+  const W zero(0);
+  const W widest = q.h * q.h - q.a * (q.c - q.q_error);
+  const W narrowest = q.h * q.h - q.a * (q.c + q.q_error);
+  const bool may_be_inside = q.c <= q.q_error;
+  const W closing = std::max(zero, W(-q.h)) + q.h_error;
+  Due<W> due;
+  due.must_be_none = q.h > q.h_error || (!may_be_inside && widest < zero);
+  due.can_be_none = q.h >= -q.h_error || (q.c > -q.q_error && narrowest <= zero);
+  due.earliest = may_be_inside ? zero : (q.c - q.q_error) / (closing + sqrt(std::max(zero, widest)));
+  const W vertex = closing / q.a;
+  due.latest = q.c <= -q.q_error ? zero
+               : narrowest > zero && q.h < -q.h_error
+                   ? std::min(vertex, W((q.c + q.q_error) / (W(-q.h) - q.h_error + sqrt(narrowest))))
+                   : vertex;
+  return due;
+}
+
+/// Tethering: the larger root while separating; where rounding left the pair outside, at once or where it
+/// turns; where it has just been pulled, only by way of the inside.
+template <typename W>
+Due<W> outer_due(const Quadratic<W>& q, bool responded) {
+  using std::sqrt;
+  const W zero(0);
+  const W early = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c + q.q_error))));
+  const W late = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c - q.q_error))));
+  const auto larger_root = [&](const W& h, const W& root, const W& c) {
+    return h > zero && c < zero ? W(-c / (h + root)) : W((root - h) / q.a);
+  };
+  const bool may_be_outside = q.c >= -q.q_error;
+  const bool is_outside = q.c >= q.q_error;
+  const bool separates = q.h > q.h_error;
+  const W slack = q.h_error / q.a;
+  Due<W> due{false, false, zero, zero};
+  due.earliest = may_be_outside && q.h >= -q.h_error && !responded
+                     ? zero
+                     : std::max(zero, W(larger_root(q.h, early, q.c + q.q_error) - slack));
+  due.latest =
+      separates && is_outside ? zero : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) + slack));
+  if (!responded) return due;
+  due.can_be_none = may_be_outside && q.h >= -q.h_error;
+  due.must_be_none = is_outside && separates;
+  if (early == zero)
+    due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a + W(2) * slack));
+  return due;
+}
+
+template <typename W>
+Due<W> due(const Quadratic<W>& q, const LimitAsked<W>& asked) {
+  if (q.a == W(0)) return never_due<W>();
+  return asked.outer ? outer_due(q, asked.responded) : inner_due(q);
+}
+
+}  // namespace tps::check

@@ -1,0 +1,85 @@
+// judge_lines, included by the instantiating sources only.
+#pragma once
+
+#include "verify/trace_check/checker_follow_in.hpp"
+#include "verify/trace_check/checker_in.hpp"
+#include "verify/trace_check/judge_lines.hpp"
+#include "verify/trace_check/read_line.hpp"
+
+namespace tps::check {
+
+template <typename Number>
+class LineJudge {
+ public:
+  LineJudge(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally, CheckReport& report)
+      : scene_(facts.scene),
+        tally_(tally),
+        report_(report),
+        reading_(facts.scene, facts.minimal, precision.digits),
+        checker_(facts.scene, precision, facts.timing, facts.minimal, tally) {}
+
+  void judge(const LineSource::Text& line) {
+    tally_.step = {report_.lines, 0, {}, {}};
+    if (line.too_long) {
+      bad("", fmt::format("is longer than any line of this trace can be: \"{}…\"", line.text));
+      return;
+    }
+    try {
+      Line<Number> read = reading_.read(line.text);
+      tally_.pass(Rule::schema);
+      std::visit([this](const auto& parsed) { take(parsed); }, read);
+    } catch (const LineProblem& problem) {
+      bad(problem.pointer, problem.what());
+    }
+  }
+
+  void close() {
+    tally_.step = {report_.lines, checker_.model().events, {}, {}};
+    checker_.close();
+    report_.certified_comparisons = checker_.exact_comparisons();
+  }
+
+ private:
+  void bad(const std::string& pointer, const std::string& message) {
+    tally_.demand(Rule::schema, false, [&](Finding& f) {
+      f.message = pointer.empty() ? message : fmt::format("{} {}", pointer, message);
+    });
+  }
+
+  void take(const EventLine<Number>& event) {
+    ++report_.events;
+    tally_.step.event = event.k.value_or(checker_.model().events + 1);
+    tally_.step.t = event.t_text;
+    for (const int n : {event.i, event.j}) {
+      if (n >= 0) tally_.step.particles.push_back(checker_.model().id(n));
+    }
+    checker_.take(event);
+  }
+  void take(const StateLine<Number>& state) {
+    ++report_.states;
+    tally_.step.event = state.data.k;
+    checker_.take(state);
+  }
+  void take(const EndLine<Number>& end) {
+    report_.end = end.reason;
+    tally_.step.event = end.events;
+    checker_.take(end);
+  }
+
+  const Scene& scene_;
+  Tally& tally_;
+  CheckReport& report_;
+  LineReading<Number> reading_;
+  Checker<Number> checker_;
+};
+
+template <typename Number>
+void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision,
+                 Tally& tally, CheckReport& report) {
+  LineJudge<Number> judge(facts, precision, tally, report);
+  LineSource::Text line;
+  while (source.next(line)) judge.judge(line);
+  judge.close();
+}
+
+}  // namespace tps::check

@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "reference/scalars.hpp"
+#include "verify/trace_check/judge_lines_in.hpp"
+#include "verify/trace_check/wide.hpp"
+
+namespace tps::check {
+namespace {
+
+/// Half an ulp; three quarters for Boost's binary floats (docs/decisions.md, N18).
+template <typename Scalar>
+Precision<Wide> precision_of() {
+  using Limits = std::numeric_limits<Scalar>;
+  const Wide half_ulp = ldexp(Wide(1), -Limits::digits);
+  const bool hardware = std::is_floating_point_v<Scalar>;
+  // The smallest numbers of Boost's types are below those of the type that judges them.
+  const int smallest = std::max<int>(Limits::min_exponent, -(1 << 24)) - Limits::digits;
+  return {hardware ? half_ulp : Wide(half_ulp * 3 / 2), ldexp(Wide(1), smallest), Limits::digits, false};
+}
+
+Precision<Wide> precision_named(std::string_view scalar) {
+  if (scalar == "long-double") return precision_of<long double>();
+  if (scalar == "quad") return precision_of<Quad>();
+  if (scalar == "mp50") return precision_of<Mp50>();
+  return precision_of<Mp100>();
+}
+
+}  // namespace
+
+void judge_wide_lines(LineSource& source, const TraceFacts& facts, std::string_view scalar, Tally& tally,
+                      CheckReport& report) {
+  judge_lines<Wide>(source, facts, precision_named(scalar), tally, report);
+}
+
+}  // namespace tps::check

@@ -1,0 +1,84 @@
+// Lines of a trace as the check sees them: particles are places in the scene, numbers are exact.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/trace/state_data.hpp"
+#include "verify/trace_check/number.hpp"
+
+namespace tps::check {
+
+enum class Kind { rebound, retract, revolve, broken, restitute, scheduled_impulse, phase_begin, phase_end };
+
+constexpr std::string_view name(Kind kind) {
+  constexpr std::string_view names[] = {"rebound",   "retract",           "revolve",     "break",
+                                        "restitute", "scheduled_impulse", "phase_begin", "phase_end"};
+  return names[static_cast<int>(kind)];
+}
+constexpr bool is_collision(Kind kind) {
+  return kind <= Kind::broken;
+}
+constexpr bool is_phase(Kind kind) {
+  return kind >= Kind::phase_begin;
+}
+
+template <typename Number>
+struct InvolvedParticle {
+  int particle;  ///< index into the scene
+  std::optional<Vec<Number>> position_before, velocity_before, position_after;
+  Vec<Number> velocity_after;
+};
+
+template <typename Number>
+struct EventLine {
+  std::optional<std::uint64_t> k;
+  Instant<Number> t;
+  std::string t_text;
+  std::optional<Number> dt;
+  Kind kind;
+  int i = -1, j = -1;
+  std::optional<int> phase;
+  std::vector<InvolvedParticle<Number>> involved;
+  std::optional<Vec<Number>> dp, dp_stored;
+  std::optional<bool> formed;  ///< true: a tether formed, false: it broke
+  std::optional<double> draw;
+  std::vector<int> members;
+
+  const InvolvedParticle<Number>* of(int particle) const {
+    for (const InvolvedParticle<Number>& p : involved) {
+      if (p.particle == particle) return &p;
+    }
+    return nullptr;
+  }
+};
+
+template <typename Number>
+struct StateLine {
+  StateData data;
+  Instant<Number> t;
+};
+
+template <typename Number>
+struct EndLine {
+  std::string reason;
+  std::uint64_t events;
+  Instant<Number> t;
+};
+
+template <typename Number>
+using Line = std::variant<EventLine<Number>, StateLine<Number>, EndLine<Number>>;
+
+/// A line that is not what a trace has: where in it, and what is the matter.
+class LineProblem : public std::runtime_error {
+ public:
+  LineProblem(std::string pointer_in, const std::string& message)
+      : std::runtime_error(message), pointer(std::move(pointer_in)) {}
+  std::string pointer;
+};
+
+}  // namespace tps::check

@@ -1,0 +1,207 @@
+// What the check knows of a run at a moment, from the lines of the trace so far. It follows; it never
+// simulates.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "reference/scene/random.hpp"
+#include "verify/trace_check/group_model.hpp"
+#include "verify/trace_check/line.hpp"
+#include "verify/trace_check/pair_rules.hpp"
+
+namespace tps::check {
+
+/// A particle since its velocity was last set.
+template <typename Number>
+struct Flight {
+  Vec<Number> position, velocity;
+  Instant<Number> since;
+  Work<Number> blur{0};  ///< how far the position may be off: where the trace does not record it
+};
+
+template <typename Number>
+Instant<double> rough(const Instant<Number>& t) {
+  const double hi = static_cast<double>(t.hi);
+  return {hi, static_cast<double>(Number(t.hi - Number(hi)) + t.lo)};
+}
+
+/// The same in doubles, for a first look.
+template <typename Number>
+Flight<double> rough(const Flight<Number>& f) {
+  const auto nearest = [](const Vec<Number>& x) {
+    return Vec<double>{{static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])}};
+  };
+  return {nearest(f.position), nearest(f.velocity), rough(f.since), static_cast<long double>(f.blur)};
+}
+
+/// A phase that begins or ends.
+struct PhaseChange {
+  double at;
+  bool opens;
+  std::size_t phase;
+};
+
+template <typename Number>
+class Model {
+ public:
+  using W = Work<Number>;
+
+  Model(const Scene& scene, const Precision<Number>& precision);
+
+  const Scene& scene;
+  const Precision<Number> precision;
+  RuleTable<Number> rules;
+  std::vector<Flight<Number>> flights;
+  std::vector<std::uint32_t> revisions;  ///< of the particles: raised with every new flight
+  std::vector<W> inverse_masses;         ///< 0 for an infinite mass
+  std::vector<std::set<int>> tethers;    ///< formed or listed, by particle
+  GroupModel<Number> groups;
+  std::vector<PhaseChange> phase_changes;  ///< in their order
+  std::vector<ScheduledImpulse> impulses;  ///< in their order
+  std::size_t phases_done = 0, impulses_done = 0;
+  std::map<std::array<int, 3>, std::uint32_t> draws;
+  std::map<std::string, std::uint64_t> kinds;
+  std::uint64_t events = 0;
+  Instant<Number> now, last_event;
+  std::uint64_t progress_event = 0;  ///< the last one at which the clock's first part moved
+
+  int size() const { return static_cast<int>(flights.size()); }
+  std::int32_t id(int i) const { return scene.particles[at(i)].id; }
+  bool fixed(int i) const { return inverse_masses[at(i)] == W(0); }
+  const Flight<Number>& flight(int i) const { return flights[at(i)]; }
+  const Flight<double>& rough_flight(int i) const {
+    if constexpr (std::is_same_v<Number, double>) {
+      return flights[at(i)];
+    } else {
+      return rough_flights_[at(i)];
+    }
+  }
+  bool tethered(int i, int j) const {
+    const PairRules<Number>& pair = rules.of(i, j);
+    return pair.can_tether && (pair.permanent || tethers[at(i)].count(j) != 0);
+  }
+  /// 1/m of the body that a particle belongs to.
+  W inverse_mass(int i) const {
+    const Body<Number>* body = groups.body(i);
+    return body != nullptr ? body->inverse_mass : inverse_masses[at(i)];
+  }
+  /// Loads that made the body of a particle: each rounded its mass once.
+  int loads(int i) const {
+    const Body<Number>* body = groups.body(i);
+    return body != nullptr ? body->loads : 0;
+  }
+  std::vector<int> members(int i) const {
+    if (fixed(i)) return {};
+    const Body<Number>* body = groups.body(i);
+    return body != nullptr ? body->members : std::vector<int>{i};
+  }
+
+  /// Where a particle is, to the working precision.
+  Vec<W> position(int i, const Instant<Number>& t) const {
+    const Flight<Number>& f = flight(i);
+    const W dt = elapsed(f.since, t);
+    return widened<W>(f.position) + dt * widened<W>(f.velocity);
+  }
+
+  /// Pairs that have responded at a limit and cannot be there again (semantics §1).
+  bool responded(int i, int j, bool outer) const {
+    return has_responded(i, j, outer) && has_responded(j, i, outer);
+  }
+  void note_response(int i, int j, bool outer) {
+    if (!fixed(i)) responded_[at(i)].insert({j, outer});
+    if (!fixed(j)) responded_[at(j)].insert({i, outer});
+  }
+  const std::set<std::pair<int, bool>>& responses(int i) const { return responded_[at(i)]; }
+  void clear_responses() { responded_.assign(flights.size(), {}); }
+
+  /// Begins a new flight. A fixed particle keeps its own.
+  void set_flight(int i, const Vec<Number>& position, const Vec<Number>& velocity, const Instant<Number>& t,
+                  const W& blur) {
+    if (fixed(i)) return;
+    Flight<Number>& f = flights[at(i)];
+    if (!(f.velocity == velocity)) responded_[at(i)].clear();
+    f = {position, velocity, t, blur};
+    if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
+    ++revisions[at(i)];
+  }
+
+  void apply_phase_change();
+
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+ private:
+  bool has_responded(int i, int j, bool outer) const {
+    return fixed(i) || responded_[at(i)].count({j, outer}) != 0;
+  }
+
+  std::vector<Flight<double>> rough_flights_;  ///< where Number is not double
+  std::vector<std::set<std::pair<int, bool>>> responded_;
+  std::vector<bool> phase_is_open_;
+};
+
+template <typename Number>
+Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_in)
+    : scene(scene_in),
+      precision(precision_in),
+      rules(scene_in, precision_in),
+      revisions(scene_in.particles.size(), 0),
+      tethers(scene_in.particles.size()),
+      groups(scene_in.particles.size()),
+      impulses(scene_in.impulses),
+      responded_(scene_in.particles.size()),
+      phase_is_open_(scene_in.phases.size(), false) {
+  const auto lifted = [&](const Coordinates& x) {
+    return Vec<Number>{
+        {stored<Number>(x[0], precision), stored<Number>(x[1], precision), stored<Number>(x[2], precision)}};
+  };
+  for (const Particle& p : scene.particles) {
+    flights.push_back({lifted(p.position), lifted(p.velocity), {}, W(0)});
+    if constexpr (!std::is_same_v<Number, double>) rough_flights_.push_back(rough(flights.back()));
+    const double mass = scene.species[at(p.species)].mass;
+    inverse_masses.push_back(std::isinf(mass) ? W(0) : W(1) / W(stored<Number>(mass, precision)));
+  }
+  for (const Tether& tether : scene.tethers) {
+    tethers[at(tether.i)].insert(tether.j);
+    tethers[at(tether.j)].insert(tether.i);
+  }
+  for (std::size_t n = 0; n < scene.phases.size(); ++n) {
+    phase_changes.push_back({scene.phases[n].from, true, n});
+    if (!std::isinf(scene.phases[n].until)) phase_changes.push_back({scene.phases[n].until, false, n});
+  }
+  // At one time, windows close before others open.
+  std::sort(phase_changes.begin(), phase_changes.end(), [](const PhaseChange& a, const PhaseChange& b) {
+    return std::tie(a.at, a.opens, a.phase) < std::tie(b.at, b.opens, b.phase);
+  });
+  std::stable_sort(impulses.begin(), impulses.end(),
+                   [](const ScheduledImpulse& a, const ScheduledImpulse& b) {
+                     return std::tie(a.at, a.particle) < std::tie(b.at, b.particle);
+                   });
+}
+
+template <typename Number>
+void Model<Number>::apply_phase_change() {
+  const PhaseChange& change = phase_changes[phases_done++];
+  phase_is_open_[change.phase] = change.opens;
+  const Phase& changed = scene.phases[change.phase];
+  for (const PairLaw& law : scene.pairs) {
+    if (law.species_a != changed.species_a || law.species_b != changed.species_b) continue;
+    FormRule form = law.tethering->form;
+    BreakRule breaks = law.tethering->breaks;
+    for (std::size_t n = 0; n < scene.phases.size(); ++n) {
+      const Phase& phase = scene.phases[n];
+      if (!phase_is_open_[n] || phase.species_a != law.species_a || phase.species_b != law.species_b)
+        continue;
+      if (phase.form) form = *phase.form;
+      if (phase.breaks) breaks = *phase.breaks;
+    }
+    for (PairRules<Number>* pair :
+         {&rules.at(law.species_a, law.species_b), &rules.at(law.species_b, law.species_a)}) {
+      pair->form = form;
+      pair->breaks = breaks;
+    }
+  }
+}
+
+}  // namespace tps::check

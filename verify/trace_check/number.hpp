@@ -1,0 +1,113 @@
+// The numbers of a trace and the wider ones that judge them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace tps::check {
+
+/// What a stored number is judged in: float and double in long double, whose roundings are 2^-11 of a
+/// double's (docs/check.md, "Bounds"); wider scalars in one type that is wider than all of them.
+template <typename Number>
+struct WorkOf {
+  using type = Number;
+};
+template <>
+struct WorkOf<double> {
+  using type = long double;
+};
+template <typename Number>
+using Work = typename WorkOf<Number>::type;
+
+/// A position, velocity or impulse; planar ones have z = 0.
+template <typename T>
+struct Vec {
+  std::array<T, 3> x{T(0), T(0), T(0)};
+
+  T& operator[](std::size_t k) { return x[k]; }
+  const T& operator[](std::size_t k) const { return x[k]; }
+  bool operator==(const Vec&) const = default;
+};
+
+template <typename T, typename U>
+Vec<T> widened(const Vec<U>& a) {
+  return {{T(a[0]), T(a[1]), T(a[2])}};
+}
+template <typename T>
+Vec<T> operator+(const Vec<T>& a, const Vec<T>& b) {
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
+template <typename T>
+Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) {
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+template <typename T>
+Vec<T> operator*(const T& s, const Vec<T>& a) {
+  return {{s * a[0], s * a[1], s * a[2]}};
+}
+template <typename T>
+T dot(const Vec<T>& a, const Vec<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <typename T>
+T length(const Vec<T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+template <typename T>
+Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+template <typename T>
+T largest(const Vec<T>& a) {
+  using std::abs;
+  T result(0);
+  for (const T& component : a.x) {
+    if (abs(component) > result) result = abs(component);
+  }
+  return result;
+}
+
+/// Time since the start of the run as a sum hi + lo with hi the nearest number to it.
+template <typename Number>
+struct Instant {
+  Number hi = Number(0);
+  Number lo = Number(0);
+
+  friend bool operator==(const Instant& a, const Instant& b) { return a.hi == b.hi && a.lo == b.lo; }
+  friend bool operator<(const Instant& a, const Instant& b) {
+    return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+  }
+};
+
+/// later − earlier, to the working precision.
+template <typename Number>
+Work<Number> elapsed(const Instant<Number>& earlier, const Instant<Number>& later) {
+  using W = Work<Number>;
+  return (W(later.hi) - W(earlier.hi)) + (W(later.lo) - W(earlier.lo));
+}
+
+/// How the scalar of a trace rounds.
+template <typename Number>
+struct Precision {
+  Work<Number> u;         ///< largest relative error of one operation
+  Work<Number> smallest;  ///< what an underflow can lose
+  int digits = 53;        ///< bits of the scalar
+  bool is_float = false;  ///< stored in double, computed in float
+};
+
+/// A time rounded to the scalar: what a clock of one number would show.
+template <typename Number>
+Number reading(const Instant<Number>& t, const Precision<Number>& precision) {
+  using std::floor;
+  using std::frexp;
+  using std::ldexp;
+  if (precision.is_float) return Number(static_cast<float>(static_cast<double>(t.hi)));
+  if (precision.digits == 53) return t.hi;
+  int exponent = 0;
+  const Number fraction = frexp(t.hi, &exponent);
+  return ldexp(Number(floor(ldexp(fraction, precision.digits) + Number(0.5))), exponent - precision.digits);
+}
+
+}  // namespace tps::check

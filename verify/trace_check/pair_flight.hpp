@@ -1,0 +1,75 @@
+// Two particles at the later of their two clocks: the instant at which a pair's question is asked.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "reference/equations/timing_query.hpp"
+#include "verify/exact/double_word.hpp"
+#include "verify/trace_check/due.hpp"
+#include "verify/trace_check/model.hpp"
+
+namespace tps::check {
+
+template <typename Number>
+struct PairFlight {
+  Instant<Number> start;
+  Vec<Number> u_i, u_j, v_i, v_j;
+  Work<Number> blur{0};  ///< how far the distance of the two may be off
+
+  RelativeFlight<Work<Number>> relative() const {
+    using W = Work<Number>;
+    return {widened<W>(u_j) - widened<W>(u_i), widened<W>(v_j) - widened<W>(v_i), blur};
+  }
+};
+
+/// u + v dt in a scalar of the hardware, stored in doubles: a rounding each.
+template <typename Scalar>
+Vec<double> carried_in(const Flight<double>& f, double dt) {
+  Vec<double> x;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Scalar step = static_cast<Scalar>(f.velocity[k]) * static_cast<Scalar>(dt);
+    x[k] = static_cast<Scalar>(f.position[k]) + step;
+  }
+  return x;
+}
+
+/// u + v dt as the run's own scalar rounds it (docs/trace.md): for float and double the same bits; for wider
+/// scalars to the working precision, with `blur` for the rounding.
+template <typename Number>
+Vec<Number> carried(const Flight<Number>& f, const Instant<Number>& t, const Precision<Number>& precision,
+                    Work<Number>& blur) {
+  if (f.since == t) return f.position;
+  if constexpr (std::is_same_v<Number, double>) {
+    const exact::DoubleWord apart = exact::two_sum(t.hi, -f.since.hi);
+    const double dt = apart.hi + (apart.lo + (t.lo - f.since.lo));
+    return precision.is_float ? carried_in<float>(f, dt) : carried_in<double>(f, dt);
+  } else {
+    const Number dt = elapsed(f.since, t);
+    const Vec<Number> step = dt * f.velocity;
+    const Vec<Number> x = f.position + step;
+    blur += Number(2) * precision.u * (Number(2) * largest(step) + largest(x));
+    return x;
+  }
+}
+
+template <typename Number>
+PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j) {
+  const Flight<Number>& a = model.flight(i);
+  const Flight<Number>& b = model.flight(j);
+  PairFlight<Number> pair;
+  pair.start = a.since < b.since ? b.since : a.since;
+  pair.blur = a.blur + b.blur;
+  pair.u_i = carried(a, pair.start, model.precision, pair.blur);
+  pair.u_j = carried(b, pair.start, model.precision, pair.blur);
+  pair.v_i = a.velocity;
+  pair.v_j = b.velocity;
+  return pair;
+}
+
+/// The question in doubles, for exact answers.
+inline TimingQuery timing_query(const PairFlight<double>& pair, bool outer, double L) {
+  return {outer ? TimingKind::tether : TimingKind::block, pair.u_i.x, pair.u_j.x, pair.v_i.x, pair.v_j.x, L};
+}
+
+}  // namespace tps::check

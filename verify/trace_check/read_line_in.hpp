@@ -1,0 +1,287 @@
+// LineReading, included by the instantiating source only (simdjson is a heavy header).
+#pragma once
+
+#include <algorithm>
+#include <set>
+
+#include "verify/trace_check/line_values.hpp"
+#include "verify/trace_check/read_line.hpp"
+
+namespace tps::check {
+
+inline const std::vector<std::string>& event_keys() {
+  static const std::vector<std::string> keys = {"k",         "t",      "dt",   "kind",   "i",
+                                                "j",         "phase",  "pre",  "post",   "dp",
+                                                "dp_stored", "tether", "draw", "members"};
+  return keys;
+}
+
+template <typename Number>
+class LineReading<Number>::Json : private LineValues<Number> {
+ public:
+  using Values = LineValues<Number>;
+
+  using Values::LineValues;
+
+  Line<Number> read(std::string_view line_text) {
+    dom::element root;
+    const simdjson::error_code error = parser_.parse(line_text.data(), line_text.size()).get(root);
+    if (error != simdjson::SUCCESS) {
+      problem(kLine,
+              fmt::format("is not JSON ({}); a trace has one object a line", simdjson::error_message(error)));
+    }
+    dom::object line;
+    if (root.get(line) != simdjson::SUCCESS)
+      problem(kLine, "is not an object; a trace has one object a line");
+    dom::element ignored;
+    if (line["state"].get(ignored) == simdjson::SUCCESS) return state(line, line_text);
+    if (line["end"].get(ignored) == simdjson::SUCCESS) return end(line);
+    return event(line);
+  }
+
+ private:
+  using Values::count;
+  using Values::instant;
+  using Values::minimal;
+  using Values::number;
+  using Values::particle;
+  using Values::particle_named;
+  using Values::text;
+  using Values::vector;
+
+  static Kind kind_of(std::string_view text) {
+    for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
+      if (name(static_cast<Kind>(n)) == text) return static_cast<Kind>(n);
+    }
+    problem("kind",
+            fmt::format("\"{}\" is not a kind of event; allowed are rebound, retract, revolve, break, "
+                        "restitute, scheduled_impulse, phase_begin, phase_end",
+                        text.substr(0, 60)));
+  }
+
+  EventLine<Number> event(const dom::object& line) {
+    EventLine<Number> event;
+    bool has_kind = false, has_t = false;
+    std::uint32_t seen = 0;
+    for (const auto [key, value] : line) {
+      const Pointer at{&kLine, key};
+      const auto place = std::find(event_keys().begin(), event_keys().end(), key);
+      if (place == event_keys().end()) unknown_key(at, key, event_keys());
+      const std::uint32_t bit = 1U << static_cast<unsigned>(place - event_keys().begin());
+      if ((seen & bit) != 0) problem(at, "stands twice in the line");
+      seen |= bit;
+      if (key == "k") event.k = count(value, at);
+      if (key == "t") {
+        event.t = instant(value, at);
+        event.t_text =
+            value.is_string() ? std::string(text(value, at)) : fmt::format("{}", simdjson::minify(value));
+        has_t = true;
+      }
+      if (key == "dt") event.dt = number(value, at);
+      if (key == "kind") {
+        event.kind = kind_of(text(value, at));
+        has_kind = true;
+      }
+      if (key == "i") event.i = particle(value, at);
+      if (key == "j") event.j = particle(value, at);
+      if (key == "phase")
+        event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
+      if (key == "dp") event.dp = vector(value, at);
+      if (key == "dp_stored") event.dp_stored = vector(value, at);
+      if (key == "tether") event.formed = formed(text(value, at));
+      if (key == "draw") event.draw = draw(value, at);
+      if (key == "members") event.members = members(value, at);
+    }
+    if (!has_t) problem(kLine, "has no \"t\": every event has one, or the line is no event");
+    if (!has_kind) problem(kLine, "has no \"kind\": every event has one");
+    states(line, event);
+    demand(event);
+    return event;
+  }
+
+  static bool formed(std::string_view text) {
+    if (text != "formed" && text != "broken") problem("tether", "is neither \"formed\" nor \"broken\"");
+    return text == "formed";
+  }
+
+  double draw(dom::element value, const Pointer& at) const {
+    std::optional<double> result;
+    double plain = 0;
+    std::string_view hex;
+    if (minimal() && value.get(plain) == simdjson::SUCCESS) result = plain;
+    if (value.get(hex) == simdjson::SUCCESS) result = number_of<double>(hex);
+    if (!result || !(*result >= 0 && *result < 1)) {
+      problem(at, "is not a draw: a double in [0, 1) as a hexadecimal float in a string, \"0x1.8p-1\"");
+    }
+    return *result;
+  }
+
+  std::vector<int> members(dom::element value, const Pointer& at) const {
+    dom::array ids;
+    if (value.get(ids) != simdjson::SUCCESS || ids.size() == 0) problem(at, "is not a list of particles");
+    std::vector<int> result;
+    for (const dom::element id : ids) result.push_back(particle(id, at));
+    for (std::size_t n = 1; n < result.size(); ++n) {
+      if (result[n - 1] >= result[n]) problem(at, "is not ascending");
+    }
+    return result;
+  }
+
+  void states(const dom::object& line, EventLine<Number>& event) const {
+    dom::object before, after;
+    dom::element pre, post;
+    const bool has_post = line["post"].get(post) == simdjson::SUCCESS;
+    const bool has_pre = line["pre"].get(pre) == simdjson::SUCCESS;
+    if (has_post && post.get(after) != simdjson::SUCCESS) problem("post", "is not an object");
+    if (has_pre && pre.get(before) != simdjson::SUCCESS) problem("pre", "is not an object");
+    if (has_post) {
+      for (const auto [key, value] : after) {
+        const Pointer at{&kPost, key};
+        InvolvedParticle<Number> p{};
+        p.particle = particle_named(key, at);
+        if (event.of(p.particle) != nullptr) problem(at, "stands twice in the line");
+        dom::element velocity, position;
+        check_keys(value, at);
+        if (value["velocity"].get(velocity) != simdjson::SUCCESS) problem(at, "has no \"velocity\"");
+        p.velocity_after = vector(velocity, Pointer{&at, "velocity"});
+        if (value["position"].get(position) == simdjson::SUCCESS) {
+          p.position_after = vector(position, Pointer{&at, "position"});
+        } else if (!minimal()) {
+          problem(at, "has no \"position\"");
+        }
+        event.involved.push_back(std::move(p));
+      }
+    }
+    if (has_pre) read_before(before, event);
+  }
+
+  void read_before(const dom::object& before, EventLine<Number>& event) const {
+    std::size_t found = 0;
+    for (const auto [key, value] : before) {
+      const Pointer at{&kPre, key};
+      const int index = particle_named(key, at);
+      auto* p = const_cast<InvolvedParticle<Number>*>(event.of(index));
+      if (p == nullptr) problem(at, "is not in \"post\"");
+      if (p->velocity_before || p->position_before) problem(at, "stands twice in the line");
+      dom::element velocity, position;
+      check_keys(value, at);
+      if (value["velocity"].get(velocity) == simdjson::SUCCESS)
+        p->velocity_before = vector(velocity, Pointer{&at, "velocity"});
+      if (value["position"].get(position) == simdjson::SUCCESS)
+        p->position_before = vector(position, Pointer{&at, "position"});
+      if (!minimal() && (!p->velocity_before || !p->position_before))
+        problem(at, "lacks \"position\" or \"velocity\"");
+      ++found;
+    }
+    if (!minimal() && found != event.involved.size())
+      problem("pre", "does not have the particles of \"post\"");
+  }
+
+  static void check_keys(dom::element value, const Pointer& at) {
+    static const std::vector<std::string> keys = {"position", "velocity"};
+    dom::object object;
+    if (value.get(object) != simdjson::SUCCESS) problem(at, "is not an object");
+    for (const auto [key, ignored] : object) {
+      if (key != "position" && key != "velocity") unknown_key(Pointer{&at, key}, key, keys);
+    }
+  }
+
+  /// What an event of its kind has to have and must not have.
+  void demand(const EventLine<Number>& e) const {
+    const auto need = [](bool there, std::string_view key, Kind kind) {
+      if (!there) problem(kLine, fmt::format("lacks \"{}\", which a {} has", key, name(kind)));
+    };
+    const auto forbid = [](bool there, std::string_view key, Kind kind) {
+      if (there) problem(Pointer{&kLine, key}, fmt::format("is not for a {}", name(kind)));
+    };
+    if (!minimal()) {
+      need(e.k.has_value(), "k", e.kind);
+      need(e.dt.has_value(), "dt", e.kind);
+    }
+    need(e.phase.has_value() || !is_phase(e.kind), "phase", e.kind);
+    forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
+    forbid(e.i >= 0 && is_phase(e.kind), "i", e.kind);
+    forbid(!e.involved.empty() && is_phase(e.kind), "post", e.kind);
+    if (is_phase(e.kind)) return;
+    const bool alone = e.kind == Kind::scheduled_impulse;
+    need(e.i >= 0, "i", e.kind);
+    need(e.j >= 0 || alone, "j", e.kind);
+    forbid(e.j >= 0 && alone, "j", e.kind);
+    if (!alone && e.i >= e.j) problem("i", "is not below j; a pair is named in the order of its ids");
+    need(e.of(e.i) != nullptr, "post of i", e.kind);
+    need(alone || e.of(e.j) != nullptr, "post of j", e.kind);
+    if (!minimal()) {
+      need(e.of(e.i)->position_before.has_value(), "pre", e.kind);
+      need(e.dp.has_value() || e.kind == Kind::broken, "dp", e.kind);
+      need(!e.members.empty() || !e.dp_stored, "members", e.kind);
+    }
+    forbid(e.dp.has_value() && e.kind == Kind::broken, "dp", e.kind);
+    if (e.kind == Kind::broken && e.formed.value_or(!minimal()))
+      problem("tether", "of a break is \"broken\"");
+    forbid(e.dp_stored && (e.kind == Kind::broken || e.kind >= Kind::restitute), "dp_stored", e.kind);
+    forbid(!e.members.empty() && (e.kind == Kind::broken || e.kind >= Kind::restitute), "members", e.kind);
+    forbid(e.draw && e.kind != Kind::rebound && e.kind != Kind::retract && e.kind != Kind::revolve &&
+               e.kind != Kind::broken,
+           "draw", e.kind);
+    if (e.formed && *e.formed && e.kind != Kind::rebound) problem("tether", "forms at a rebound only");
+    if (e.formed && !*e.formed && e.kind != Kind::broken) problem("tether", "breaks at a break only");
+  }
+
+  StateLine<Number> state(const dom::object& line, std::string_view line_text) const {
+    static const std::vector<std::string> keys = {
+        "state",     "t",      "final", "now",      "last_event", "progress_event", "particles",   "tethers",
+        "responded", "groups", "draws", "progress", "counts",     "quantities",     "observations"};
+    std::set<std::string_view> seen;
+    for (const auto [key, ignored] : line) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        unknown_key(Pointer{&kLine, key}, key, keys);
+      if (!seen.insert(key).second) problem(Pointer{&kLine, key}, "stands twice in the line");
+    }
+    dom::element t;
+    if (line["t"].get(t) != simdjson::SUCCESS) problem(kLine, "lacks \"t\", which a full state has");
+    StateLine<Number> state{{}, instant(t, Pointer{&kLine, "t"})};
+    try {
+      state.data = read_state(line_text);
+    } catch (const std::exception& error) {
+      problem(kLine, fmt::format("is not a full state: {}", error.what()));
+    }
+    return state;
+  }
+
+  EndLine<Number> end(const dom::object& line) const {
+    static const std::vector<std::string> keys = {"end", "events", "t"};
+    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled",
+                                                     "interrupted"};
+    for (const auto [key, ignored] : line) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        unknown_key(Pointer{&kLine, key}, key, keys);
+    }
+    dom::element reason, events, t;
+    if (line["end"].get(reason) != simdjson::SUCCESS || line["events"].get(events) != simdjson::SUCCESS ||
+        line["t"].get(t) != simdjson::SUCCESS) {
+      problem(kLine, "is no complete end: {\"end\":reason,\"events\":n,\"t\":…}");
+    }
+    EndLine<Number> end{std::string(text(reason, Pointer{&kLine, "end"})),
+                        count(events, Pointer{&kLine, "events"}), instant(t, Pointer{&kLine, "t"})};
+    if (std::find(reasons.begin(), reasons.end(), end.reason) == reasons.end()) {
+      problem("end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60),
+                                 fmt::join(reasons, ", ")));
+    }
+    return end;
+  }
+
+  dom::parser parser_;
+};
+
+template <typename Number>
+LineReading<Number>::LineReading(const Scene& scene, bool minimal, int digits)
+    : json_(std::make_unique<Json>(scene, minimal, digits)) {}
+template <typename Number>
+LineReading<Number>::~LineReading() = default;
+
+template <typename Number>
+Line<Number> LineReading<Number>::read(std::string_view text) {
+  return json_->read(text);
+}
+
+}  // namespace tps::check

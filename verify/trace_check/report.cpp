@@ -1,0 +1,54 @@
+#include "verify/trace_check/report.hpp"
+
+#include <algorithm>
+
+#include "verify/trace_check/tally.hpp"
+
+namespace tps::check {
+namespace {
+
+std::uint64_t total(const std::array<RuleResult, kRules>& rules, std::uint64_t RuleResult::*count) {
+  std::uint64_t sum = 0;
+  for (const RuleResult& rule : rules) sum += rule.*count;
+  return sum;
+}
+
+}  // namespace
+
+std::uint64_t CheckReport::violated() const {
+  return total(rules, &RuleResult::violated);
+}
+std::uint64_t CheckReport::undecided() const {
+  return total(rules, &RuleResult::undecided);
+}
+bool CheckReport::inconclusive() const {
+  return conforming() && undecided() > std::max<std::uint64_t>(2, events / 100);
+}
+
+/// The mean is the least-squares estimate of b in y = b x + rounding. Five standard errors away from zero and
+/// beyond a twentieth of an ulp, of 10^4 residuals at least, it is a bias: chance has that once in two
+/// million sums.
+void Tally::close_sums() {
+  constexpr std::uint64_t kEnough = 10'000;
+  constexpr double kErrors = 5;
+  constexpr double kSmallest = 0.05;
+  bool judged = false;
+  for (const auto& [quantity, m] : moments_) {
+    if (m.xx == 0) continue;
+    const double mean = m.xy / m.xx;
+    const double variance =
+        std::max(0.0, m.yy - mean * m.xy) / static_cast<double>(std::max<std::uint64_t>(1, m.count - 1));
+    const double error = std::sqrt(variance / m.xx);
+    report_.sums.push_back({quantity, m.count, mean, error});
+    if (m.count < kEnough) continue;
+    judged = true;
+    step = {report_.lines, report_.events, {}, {}};
+    demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_, [&](Finding& f) {
+      f.message = "residuals of the " + quantity + " have a mean of " + std::to_string(mean) +
+                  " ulps with a standard error of " + std::to_string(error);
+    });
+  }
+  if (!judged) not_judged(Rule::bias, "fewer than 10000 residuals");
+}
+
+}  // namespace tps::check

@@ -1,0 +1,42 @@
+// Rule bystanders: what is not involved does not change; neither does what cannot.
+#pragma once
+
+#include "verify/trace_check/context.hpp"
+
+namespace tps::check {
+
+/// Velocities between events and positions at them are copies: no rounding is allowed.
+template <typename Number>
+void judge_bystanders(const Context<Number>& c, const EventLine<Number>& event) {
+  const Model<Number>& model = c.model;
+  const int dimension = model.scene.dimension;
+  for (const InvolvedParticle<Number>& p : event.involved) {
+    const std::int32_t id = model.id(p.particle);
+    const Flight<Number>& flight = model.flight(p.particle);
+    const auto about = [&](Finding& f) { f.particles = {id}; };
+    if (p.velocity_before) {
+      c.tally.demand(Rule::bystanders, *p.velocity_before == flight.velocity, [&](Finding& f) {
+        about(f);
+        f.message = fmt::format("particle {} comes with velocity {}, but left its last event with {}", id,
+                                shown(*p.velocity_before, dimension), shown(flight.velocity, dimension));
+      });
+    }
+    if (p.position_before && p.position_after) {
+      c.tally.demand(Rule::bystanders, *p.position_before == *p.position_after, [&](Finding& f) {
+        about(f);
+        f.message =
+            fmt::format("particle {} is moved by the event from {} to {}; impulses change velocities only",
+                        id, shown(*p.position_before, dimension), shown(*p.position_after, dimension));
+      });
+    }
+    if (model.fixed(p.particle)) {
+      c.tally.demand(Rule::bystanders, p.velocity_after == flight.velocity, [&](Finding& f) {
+        about(f);
+        f.message = fmt::format("particle {} has infinite mass and changes its velocity to {}", id,
+                                shown(p.velocity_after, dimension));
+      });
+    }
+  }
+}
+
+}  // namespace tps::check

@@ -1,0 +1,138 @@
+// Rule contact: at its event a pair is at its limit and moves the right way, eqs. (1) and (2).
+#pragma once
+
+#include "verify/trace_check/bodies_now.hpp"
+#include "verify/trace_check/context.hpp"
+#include "verify/trace_check/pair_flight.hpp"
+#include "verify/trace_check/replay.hpp"
+
+namespace tps::check {
+
+/// The limit at which a collision happens, in the numbers of the trace; nothing where the pair has none.
+template <typename Number>
+std::optional<LimitAsked<Work<Number>>> limit_of(const Model<Number>& model, const EventLine<Number>& event) {
+  using W = Work<Number>;
+  const PairRules<Number>& rules = model.rules.of(event.i, event.j);
+  if (event.kind == Kind::rebound) {
+    if (!rules.blocks) return std::nullopt;
+    return LimitAsked<W>{false, W(rules.inner), false};
+  }
+  if (!rules.can_tether) return std::nullopt;
+  return LimitAsked<W>{true, W(rules.outer), model.responded(event.i, event.j, true)};
+}
+
+namespace detail {
+
+/// Certified timing: the time is the exact root, rounded once; a clock that has passed it stays.
+inline bool at_certified_time(const Context<double>& c, const EventLine<double>& event,
+                              const PairFlight<double>& pair, const LimitAsked<long double>& asked,
+                              const TimingQuery& query) {
+  using W = long double;
+  const CollisionTime<double> answer = c.exact.answer(query);
+  const bool counts =
+      !asked.responded || answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
+  if (!answer.t || !counts) return false;
+  const W t = W(*answer.t) * (asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1);
+  const W dt = elapsed(pair.start, event.t);
+  const W rounding = c.time_error(event.t) + (c.model.precision.is_float ? c.u() * t * W(1.001) : W(0));
+  if (std::fabs(dt - t) <= rounding) return true;
+  const bool clock_had_passed = event.t == c.model.now && dt > t;
+  return clock_had_passed && dt - t <= W(2.5) * c.u() * std::fabs(W(event.t.hi)) + rounding;
+}
+
+/// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected:
+/// that of the time and that of the distance.
+template <typename Number>
+void add_time_residual(const Context<Number>& c, const Quadratic<Work<Number>>& q, bool outer,
+                       const Work<Number>& dt) {
+  using std::sqrt;
+  using W = Work<Number>;
+  const W D = q.discriminant();
+  if (!(q.a > W(0)) || D < q.h * q.h / W(4) || dt <= W(0)) return;
+  const W root = sqrt(D);
+  const W t = outer ? (q.h > W(0) ? W(-q.c / (q.h + root)) : W((root - q.h) / q.a)) : W(q.c / (root - q.h));
+  if (t <= W(0)) return;
+  const W ulp = c.u() * t;
+  const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
+  c.tally.residual("time", as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
+}
+
+}  // namespace detail
+
+template <typename Number>
+void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
+  using W = Work<Number>;
+  using std::abs;
+  const Model<Number>& model = c.model;
+  const auto limit = limit_of(model, event);
+  const bool outer = event.kind != Kind::rebound;
+  const char* which = outer ? "outer" : "inner";
+  c.tally.demand(Rule::contact, limit.has_value(), [&](Finding& f) {
+    f.message = fmt::format("{} at the {} limit, which the pair {} does not have", name(event.kind), which,
+                            c.pair(event.i, event.j));
+  });
+  if (!limit || model.groups.together(event.i, event.j)) return;
+  if (!outer && model.responded(event.i, event.j, false)) {
+    c.tally.demand(Rule::contact, false, [&](Finding& f) {
+      f.message =
+          fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
+                      c.pair(event.i, event.j));
+      f.equation = "(2)";
+    });
+    return;
+  }
+  const PairFlight<Number> pair = pair_flight(model, event.i, event.j);
+  const RelativeFlight<W> relative = pair.relative();
+  const Quadratic<W> q = quadratic_of(relative, limit->L, c.u(), c.timing, c.scale());
+  const W dt = elapsed(pair.start, event.t);
+  const W distance = length(relative.r + dt * relative.v);
+  const auto describe = [&](Finding& f) {
+    const Due<W> expected = due(q, *limit);
+    const std::string when =
+        expected.must_be_none
+            ? std::string("never gets there")
+            : fmt::format("is due there between {} and {}", shown(expected.earliest), shown(expected.latest));
+    f.message = fmt::format("{} is at distance {} after {}, {} its {} limit {}; on its straight lines it {}",
+                            c.pair(event.i, event.j), shown(distance), shown(dt),
+                            distance > limit->L ? "beyond" : "within", which, shown(limit->L), when);
+    f.equation = "(2)";
+    f.replay = replay_of_time(pair, outer, limit->L, model.scene.dimension);
+  };
+  if constexpr (std::is_same_v<Number, double>) {
+    if (c.certified()) {
+      const TimingQuery query = timing_query(pair, outer, static_cast<double>(limit->L));
+      c.tally.demand(Rule::contact, detail::at_certified_time(c, event, pair, *limit, query), describe);
+      detail::add_time_residual(c, q, outer, dt);
+      return;
+    }
+  }
+  const Due<W> expected = due(q, *limit);
+  const W slack = c.time_error(event.t);
+  const bool in_time =
+      !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
+  const W ulps = W(6) * abs(q.at(dt)) / q.q_error;
+  const bool at_root = ulps <= W(6);
+  c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9),
+                 6, describe);
+  detail::add_time_residual(c, q, outer, dt);
+}
+
+/// At an inner limit a pair approaches, at an outer one it separates; a vanishing v_n has the sign of
+/// rounding, that of the positions turns the axis.
+template <typename Number>
+void judge_approach(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
+  using W = Work<Number>;
+  const bool outer = event.kind != Kind::rebound;
+  const W v_n = b.v_n();
+  const W wrong_way = outer ? W(-v_n) : v_n;
+  const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
+  const W unit = length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) +
+                 c.model.precision.smallest;
+  c.tally.within(Rule::contact, std::max(0.0, as_double(W(wrong_way / unit))), 8, [&](Finding& f) {
+    f.message = fmt::format("{} {} at its {} limit, v_n = {}", c.pair(b.i, b.j),
+                            outer ? "approaches" : "separates", outer ? "outer" : "inner", shown(v_n));
+    f.equation = "(4)";
+  });
+}
+
+}  // namespace tps::check

@@ -1,0 +1,219 @@
+// Rule states: a full state is what the events made.
+#pragma once
+
+#include <algorithm>
+
+#include "verify/trace_check/context.hpp"
+#include "verify/trace_check/rules/known_events.hpp"
+#include "verify/trace_check/text_number.hpp"
+
+namespace tps::check {
+
+/// Compares a full state with the model. All is copied, nothing rounded, but masses of bodies and expiries,
+/// which are sums. The counters of the summary other than events by kind, its quantities and observations are
+/// not judged.
+template <typename Number>
+class StateJudge {
+ public:
+  using W = Work<Number>;
+
+  StateJudge(const Context<Number>& c, const StateLine<Number>& line) : c_(c), model_(c.model), line_(line) {
+    for (int n = 0; n < model_.size(); ++n) index_of_.emplace_back(model_.id(n), n);
+  }
+
+  void judge() {
+    try {
+      judge_clock();
+      judge_particles();
+      judge_pairs();
+      judge_groups();
+      judge_counts();
+    } catch (const std::exception& error) {
+      c_.tally.demand(Rule::states, false, [&](Finding& f) {
+        f.message = fmt::format("the full state cannot be read: {}", error.what());
+      });
+    }
+  }
+
+ private:
+  void expect(bool holds, const std::string& what, std::vector<std::int32_t> particles = {}) {
+    c_.tally.demand(Rule::states, holds, [&](Finding& f) {
+      f.particles = std::move(particles);
+      f.message = what;
+    });
+  }
+
+  int index(std::int32_t id) const {
+    const auto found = std::lower_bound(index_of_.begin(), index_of_.end(), std::pair(id, 0));
+    if (found == index_of_.end() || found->first != id)
+      throw std::runtime_error(fmt::format("it names particle {}", id));
+    return found->second;
+  }
+  static Number number(const Hex& text) {
+    const std::optional<Number> x = number_of<Number>(text);
+    if (!x)
+      throw std::runtime_error(fmt::format("\"{}\" is no number of the trace's scalar", text.substr(0, 60)));
+    return *x;
+  }
+  static Instant<Number> instant(const HexTime& t) {
+    const Number hi = number(t[0]);
+    const Number lo = number(t[1]);
+    if constexpr (std::is_same_v<Number, double>) return {hi, lo};
+    return {hi + lo, Number(0)};
+  }
+  Vec<Number> vector(const HexVector& x) const {
+    if (x.size() != static_cast<std::size_t>(model_.scene.dimension))
+      throw std::runtime_error("a vector has another dimension");
+    Vec<Number> result;
+    for (std::size_t k = 0; k < x.size(); ++k) result[k] = number(x[k]);
+    return result;
+  }
+  /// Float clocks are two floats where the check has one double.
+  static bool same(const Instant<Number>& a, const Instant<Number>& b) { return elapsed(a, b) == W(0); }
+
+  void judge_clock() {
+    const StateData& s = line_.data;
+    expect(s.k == model_.events,
+           fmt::format("the state is of event {}, but stands behind event {}", s.k, model_.events));
+    expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
+    expect(same(instant(s.last_event), model_.last_event),
+           "\"last_event\" is not the time of the event before");
+    expect(s.progress_event == model_.progress_event,
+           fmt::format("the clock last moved at event {}, not {}", model_.progress_event, s.progress_event));
+  }
+
+  void judge_particles() {
+    const StateData& s = line_.data;
+    expect(
+        s.particles.size() == model_.flights.size(),
+        fmt::format("the state has {} particles, the scene {}", s.particles.size(), model_.flights.size()));
+    for (const StateData::Particle& p : s.particles) {
+      const Flight<Number>& flight = model_.flight(index(p.id));
+      const Vec<Number> velocity = vector(p.velocity);
+      expect(velocity == flight.velocity,
+             fmt::format("particle {} has velocity {}, but left its last event with {}", p.id,
+                         shown(velocity, model_.scene.dimension),
+                         shown(flight.velocity, model_.scene.dimension)),
+             {p.id});
+      const Vec<Number> position = vector(p.position);
+      expect(largest(widened<W>(position) - widened<W>(flight.position)) <= flight.blur,
+             fmt::format("particle {} is at {}, but was at {} at its last event", p.id,
+                         shown(position, model_.scene.dimension),
+                         shown(flight.position, model_.scene.dimension)),
+             {p.id});
+      expect(same(instant(p.clock), flight.since),
+             fmt::format("the clock of particle {} is not its last event's", p.id), {p.id});
+    }
+  }
+
+  void judge_pairs() {
+    const StateData& s = line_.data;
+    std::set<std::array<std::int32_t, 2>> tethers;
+    std::set<std::tuple<std::int32_t, std::int32_t, bool>> responded;
+    for (int i = 0; i < model_.size(); ++i) {
+      for (const int j : model_.tethers[static_cast<std::size_t>(i)]) {
+        if (i < j) tethers.insert({model_.id(i), model_.id(j)});
+      }
+      for (const auto& [j, outer] : model_.responses(i)) {
+        if (model_.responded(i, j, outer))
+          responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
+      }
+    }
+    expect(std::set<std::array<std::int32_t, 2>>(s.tethers.begin(), s.tethers.end()) == tethers,
+           fmt::format("the state has {} tethers, which are not the {} that the events left",
+                       s.tethers.size(), tethers.size()));
+    std::set<std::tuple<std::int32_t, std::int32_t, bool>> stated;
+    for (const StateData::Responded& r : s.responded) {
+      stated.insert({std::min(r.first, r.second), std::max(r.first, r.second), r.outer});
+    }
+    expect(
+        stated == responded,
+        fmt::format("the state lists {} pairs that have responded, which are not the {} that the events left",
+                    stated.size(), responded.size()));
+  }
+
+  void judge_groups() {
+    const StateData& s = line_.data;
+    const std::vector<const Body<Number>*> bodies = model_.groups.bodies();
+    expect(s.groups.size() == bodies.size(),
+           fmt::format("the state has {} bodies, the events left {}", s.groups.size(), bodies.size()));
+    for (std::size_t n = 0; n < std::min(bodies.size(), s.groups.size()); ++n)
+      judge_group(s.groups[n], *bodies[n]);
+  }
+
+  void judge_group(const StateData::Group& group, const Body<Number>& body) {
+    std::vector<std::int32_t> members;
+    for (const int member : body.members) members.push_back(model_.id(member));
+    expect(group.members == members,
+           fmt::format("the members of the body of particle {} differ", members.front()), members);
+    const Number mass = number(group.mass);
+    const bool infinite = body.inverse_mass == W(0);
+    using std::abs;
+    const bool same_mass =
+        infinite ? !(mass - mass == Number(0))
+                 : abs(W(mass) * body.inverse_mass - W(1)) <= W(2 * body.loads) * c_.u() * c_.scale();
+    expect(same_mass,
+           fmt::format("the mass of the body of particle {} is not that of its members", members.front()),
+           members);
+    const Instant<Number> expiry = expiry_of(model_, body);
+    expect(abs(elapsed(expiry, instant(group.expiry))) <= c_.time_error(expiry),
+           fmt::format("the body of particle {} expires at another time", members.front()), members);
+    expect(same(instant(group.birth), body.birth),
+           fmt::format("the body of particle {} is of another age", members.front()), members);
+    expect(group.nodes.size() == static_cast<std::size_t>(body.loads),
+           fmt::format("the body of particle {} has {} loads, not {}", members.front(), body.loads,
+                       group.nodes.size()),
+           members);
+    expect(is_tree(group, *body.root),
+           fmt::format("the loads of the body of particle {} are not those of the events", members.front()),
+           members);
+  }
+
+  /// Whether the nodes of a state are the loads below a root, each side where it was.
+  bool is_tree(const StateData::Group& group, const LoadNode<Number>& root) const {
+    std::vector<std::pair<std::size_t, const LoadNode<Number>*>> open = {{0, &root}};
+    while (!open.empty()) {
+      const auto [n, load] = open.back();
+      open.pop_back();
+      const StateData::Node& node = group.nodes.at(n);
+      if (node.i != model_.id(load->i) || node.j != model_.id(load->j) || node.outer != load->outer)
+        return false;
+      if (!(vector(node.dp) == load->dp)) return false;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const StateData::Side& stated = node.sides[side];
+        const LoadNode<Number>* below = load->below[side].get();
+        std::optional<std::int32_t> particle;
+        if (below == nullptr && !load->members[side].empty())
+          particle = model_.id(load->members[side].front());
+        if (stated.node.has_value() != (below != nullptr) || stated.particle != particle) return false;
+        if (below != nullptr) open.emplace_back(static_cast<std::size_t>(*stated.node), below);
+      }
+    }
+    return true;
+  }
+
+  void judge_counts() {
+    const StateData& s = line_.data;
+    std::map<std::string, std::uint64_t> kinds;
+    for (const auto& [kind, count] : s.counts) {
+      if (!kind.starts_with('#') && count > 0) kinds[kind] = count;
+    }
+    expect(kinds == model_.kinds, "the counts of events by kind are not those of the events");
+    std::map<std::array<int, 3>, std::uint32_t> draws;
+    for (const StateData::Draws& d : s.draws) draws[{d.purpose, d.first, d.second}] = d.used;
+    expect(draws == model_.draws, "the numbers of draws are not those of the events");
+    const auto done = [&](const char* effect) {
+      const auto found = s.progress.find(effect);
+      return found == s.progress.end() ? std::uint64_t{0} : found->second;
+    };
+    expect(done("phases") == model_.phases_done && done("scheduled_impulses") == model_.impulses_done,
+           "the progress of phases or scheduled impulses is not that of the events");
+  }
+
+  const Context<Number>& c_;
+  const Model<Number>& model_;
+  const StateLine<Number>& line_;
+  std::vector<std::pair<std::int32_t, int>> index_of_;
+};
+
+}  // namespace tps::check

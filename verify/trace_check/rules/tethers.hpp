@@ -1,0 +1,96 @@
+// Rule tethers: tethers form and break by the rules of their pair.
+#pragma once
+
+#include "verify/trace_check/bodies_now.hpp"
+#include "verify/trace_check/context.hpp"
+#include "verify/trace_check/rules/impulse.hpp"
+
+namespace tps::check {
+namespace detail {
+
+template <typename Number>
+bool has_room(const Model<Number>& model, int i) {
+  const Particle& p = model.scene.particles[static_cast<std::size_t>(i)];
+  const auto& capacity = model.scene.species[static_cast<std::size_t>(p.species)].max_tethers;
+  return !capacity || model.tethers[static_cast<std::size_t>(i)].size() < static_cast<std::size_t>(*capacity);
+}
+
+/// A random number is drawn exactly where a probability decides. @return whether it says yes.
+template <typename Number>
+std::optional<bool> decision(const Context<Number>& c, const EventLine<Number>& event, bool asked,
+                             double probability, const char* what) {
+  if (c.minimal && asked && !event.draw) return std::nullopt;
+  c.tally.demand(Rule::tethers, asked == event.draw.has_value(), [&](Finding& f) {
+    f.message =
+        asked ? fmt::format(
+                    "whether the tether of {} {} is a matter of probability {}, but no draw is recorded",
+                    c.pair(event.i, event.j), what, probability)
+              : fmt::format("a draw is recorded, but nothing about the tether of {} is left to chance",
+                            c.pair(event.i, event.j));
+  });
+  if (!asked || !event.draw) return std::nullopt;
+  return *event.draw < probability;
+}
+
+}  // namespace detail
+
+/// A tether forms at a rebound of an untethered pair, by the pair's rule, unless one of the two is full.
+template <typename Number>
+void judge_forming(const Context<Number>& c, const EventLine<Number>& event) {
+  const Model<Number>& model = c.model;
+  const PairRules<Number>& rules = model.rules.of(event.i, event.j);
+  const std::string pair = c.pair(event.i, event.j);
+  const bool forms = event.formed.value_or(false);
+  const bool can = rules.can_tether && !rules.permanent && rules.form.when != FormRule::When::never;
+  const bool free = can && model.tethers[static_cast<std::size_t>(event.i)].count(event.j) == 0;
+  const bool room = detail::has_room(model, event.i) && detail::has_room(model, event.j);
+  const bool chance = free && room && rules.form.when == FormRule::When::probability;
+  const std::optional<bool> drawn = detail::decision(c, event, chance, rules.form.probability, "forms");
+  if (chance && !drawn) return;
+  const bool should = free && room && drawn.value_or(true);
+  c.tally.demand(Rule::tethers, forms == should, [&](Finding& f) {
+    const std::string why =
+        !can     ? "their rule never forms one"
+        : !free  ? "they are tethered already"
+        : !room  ? "one of them has all the tethers it can have"
+        : chance ? fmt::format("the draw is {} and the probability {}", *event.draw, rules.form.probability)
+                 : "their rule always forms one";
+    f.message = fmt::format("{} {} a tether, but {}", pair, forms ? "form" : "do not form", why);
+  });
+}
+
+/// A tether breaks at a tethering collision of a tethered pair, by the pair's rule.
+template <typename Number>
+void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
+                    const Expected<Work<Number>>& expected) {
+  using W = Work<Number>;
+  const Model<Number>& model = c.model;
+  const PairRules<Number>& rules = model.rules.of(event.i, event.j);
+  const std::string pair = c.pair(event.i, event.j);
+  c.tally.demand(Rule::tethers, model.tethered(event.i, event.j), [&](Finding& f) {
+    f.message = fmt::format("{} {}, but they are not tethered", pair, name(event.kind));
+  });
+  const bool breaks = event.kind == Kind::broken;
+  using When = BreakRule::When;
+  const std::optional<bool> drawn =
+      detail::decision(c, event, rules.breaks.when == When::probability, rules.breaks.probability, "breaks");
+  if (rules.breaks.when == When::probability && !drawn) return;
+  bool should = rules.breaks.when == When::always || drawn.value_or(false);
+  if (rules.breaks.when == When::impulse_above) {
+    const W size = length(expected.response.dp);
+    const W unit = W(expected.roundings + 4) * expected.response.error * c.scale() + model.precision.smallest;
+    const W beyond = size - W(stored<Number>(rules.breaks.threshold, model.precision));
+    should = beyond > W(0);
+    if (beyond <= unit && beyond >= -unit) should = breaks;
+  }
+  c.tally.demand(Rule::tethers, breaks == should, [&](Finding& f) {
+    f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
+                            should ? "breaks" : "holds",
+                            rules.breaks.when == When::impulse_above
+                                ? fmt::format(": |Δp| = {} and the threshold is {}",
+                                              shown(length(expected.response.dp)), rules.breaks.threshold)
+                                : std::string());
+  });
+}
+
+}  // namespace tps::check

@@ -1,0 +1,111 @@
+// Where the rules put their verdicts: counts and margins for each rule, the first findings in full.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "verify/trace_check/report.hpp"
+
+namespace tps::check {
+
+/// The step that is being judged.
+struct Step {
+  std::uint64_t line = 0;
+  std::uint64_t event = 0;
+  std::string t;
+  std::vector<std::int32_t> particles;
+};
+
+class Tally {
+ public:
+  Tally(CheckReport& report, double tolerance, std::uint64_t max_reports)
+      : report_(report), tolerance_(tolerance), max_reports_(max_reports) {}
+
+  Step step;
+
+  double tolerance() const { return tolerance_; }
+  void pass(Rule rule) { ++of(rule).passed; }
+
+  /// Judges a residual of `off` ulps by a bound of `allowed` ulps, times the tolerance; `describe` completes
+  /// the finding where it is beyond. @return whether it is within.
+  template <typename Describe>
+  bool within(Rule rule, double off, double allowed, Describe describe) {
+    const double bound = allowed * tolerance_;
+    if (off <= bound) {
+      RuleResult& result = of(rule);
+      ++result.passed;
+      if (bound > 0 && off / bound > result.worst) {
+        result.worst = off / bound;
+        result.worst_off = off;
+        result.worst_allowed = bound;
+      }
+      return true;
+    }
+    Finding finding;
+    finding.off = off;
+    finding.allowed = bound;
+    add(rule, Outcome::violated, finding, describe);
+    return false;
+  }
+
+  /// Judges what is either so or not.
+  template <typename Describe>
+  bool demand(Rule rule, bool holds, Describe describe) {
+    if (holds) {
+      pass(rule);
+      return true;
+    }
+    add(rule, Outcome::violated, {}, describe);
+    return false;
+  }
+
+  template <typename Describe>
+  void undecided(Rule rule, Describe describe) {
+    add(rule, Outcome::undecided, {}, describe);
+  }
+
+  void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
+
+  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x.
+  void residual(const char* of, double y, double x = 1) {
+    if (!std::isfinite(x * y)) return;
+    Moments& m = moments_[of];
+    ++m.count;
+    m.xy += x * y;
+    m.xx += x * x;
+    m.yy += y * y;
+  }
+  void close_sums();
+
+ private:
+  struct Moments {
+    std::uint64_t count = 0;
+    double xy = 0, xx = 0, yy = 0;
+  };
+
+  RuleResult& of(Rule rule) { return report_.rules[static_cast<std::size_t>(rule)]; }
+
+  template <typename Describe>
+  void add(Rule rule, Outcome outcome, Finding finding, Describe describe) {
+    RuleResult& result = of(rule);
+    const std::uint64_t before = outcome == Outcome::violated ? result.violated++ : result.undecided++;
+    if (before >= max_reports_) return;
+    finding.rule = rule;
+    finding.outcome = outcome;
+    finding.line = step.line;
+    finding.event = step.event;
+    finding.t = step.t;
+    finding.particles = step.particles;
+    describe(finding);
+    report_.findings.push_back(std::move(finding));
+  }
+
+  CheckReport& report_;
+  double tolerance_;
+  std::uint64_t max_reports_;
+  std::map<std::string, Moments> moments_;
+};
+
+}  // namespace tps::check
