@@ -55,7 +55,7 @@ const std::vector<HazardFloor>& hazard_floors() {
       {"taut start", "a tethered pair starts at its outer limit", 70},
       {"crowded", "ten events within 1e-6", 60},
       {"masses apart", "by a factor of more than a million", 80},
-      {"no impulse", "a collision that rounding leaves without one", 2},
+      {"no impulse", "a collision that rounding leaves without one", 1},
       {"rebound", "eq. (4) at the inner limit", 400},
       {"retract", "eq. (4) at the outer limit", 200},
       {"revolve", "eq. (5)", 300},

@@ -14,7 +14,7 @@ namespace {
 Scene gas() {
   Scene scene;
   scene.dimension = 2;
-  scene.duration = 9;
+  scene.duration = 15;
   scene.species = {{"disc", 1, 0.5, {}}, {"enclosure", std::numeric_limits<double>::infinity(), 4, {}}};
   scene.pairs = {{0, 0, BlockingLaw{1, 1}, {}}, {0, 1, {}, TetheringLaw{}}};
   scene.pairs[1].tethering->distance = 3.5;
