@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/equations/angle.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
@@ -38,7 +39,7 @@ class Laws {
         law.tethering = {Scalar(t.distance),
                          Scalar(t.c_retract),
                          Scalar(t.c_revolve),
-                         Scalar(t.theta_revolve_deg),
+                         angle_in_degrees<Scalar>(t.theta_revolve_deg),
                          t.form,
                          t.breaks,
                          t.form.when == FormRule::When::permanent};

@@ -26,6 +26,17 @@ TYPED_TEST(Angle, NearNinetyDegreesIsTheInverseOfNearZero) {
   EXPECT_TRUE(near_by<S>(product, S(1), 3, S(1)));
 }
 
+// In float the largest angle that a scene may have rounds to 90, whose tangent is infinite: a run of such a
+// pair had velocities that are no numbers.
+TYPED_TEST(Angle, StaysBelowNinetyDegreesInEveryScalar) {
+  using S = TypeParam;
+  const S theta = angle_in_degrees<S>(89.999999);
+  EXPECT_LT(theta, S(90));
+  EXPECT_LT(S(90) - theta, S(2e-5));
+  EXPECT_LT(tan_degrees<S>(theta), S(6e7));
+  EXPECT_EQ(angle_in_degrees<S>(45), S(45));
+}
+
 TYPED_TEST(Angle, SmallAnglesAreTheirRadians) {
   using S = TypeParam;
   using std::ldexp;

@@ -1,0 +1,110 @@
+// Asks the laws of runs, of the reference or of any command that simulates as `tps run` does.
+#include <rapidcheck.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <random>
+
+#include "properties/runs/hazards.hpp"
+#include "properties/runs/laws.hpp"
+
+namespace tps::properties::runs {
+namespace {
+
+struct Options {
+  bool list = false, list_hazards = false;
+  std::string scalar = "double", timing = "stable", only;
+  int cases = 100;
+  std::uint64_t seed = 0;
+  std::vector<std::string> command;
+};
+
+void print_laws() {
+  std::cout << "| | name | law | page |\n|---|---|---|---|\n";
+  for (const RunLaw& law : run_laws()) {
+    const std::string page = law.page.substr(law.page.find('/') + 1);
+    std::cout << "| " << law.number << " | `" << law.name << "` | " << law.sentence << " | [" << page << "]("
+              << page << ") |\n";
+  }
+}
+
+void print_hazards() {
+  std::cout << "| hazard | meaning | of 1000 scenes, at least |\n|---|---|---|\n";
+  for (const HazardFloor& floor : hazard_floors())
+    std::cout << "| " << floor.name << " | " << floor.meaning << " | " << floor.in_a_thousand << " |\n";
+}
+
+bool is_asked(const RunLaw& law, const Options& options) {
+  const bool held_by_judge =
+      options.scalar == "float" || options.scalar == "double" || options.scalar == "long-double";
+  if (!options.only.empty() && options.only != law.name) return false;
+  if (law.needs_exact_timing && options.timing == "paper") return false;
+  return law.compares_runs || held_by_judge;
+}
+
+/// Prints what became of a law; whether it holds.
+bool ask(const RunLaw& law, Simulator& simulator, const Options& options) {
+  rc::detail::TestParams params;
+  params.seed = options.seed;
+  params.maxSuccess = options.cases;
+  const rc::detail::TestResult result = rc::detail::checkTestable(
+      [&] { check_law(law, simulator); }, rc::detail::TestMetadata{law.name, law.sentence}, params);
+  std::cout << "law " << law.number << " " << law.name << ": ";
+  rc::detail::printResultMessage(result, std::cout);
+  std::cout << "\n";
+  return !result.is<rc::detail::FailureResult>();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+int run(const Options& options) {
+  const auto simulator = options.command.empty()
+                             ? reference_simulator(options.scalar, options.timing)
+                             : command_simulator(joined(options.command), options.scalar, options.timing);
+  std::cout << "seed " << options.seed << "\n";
+  bool all = true;
+  for (const RunLaw& law : run_laws()) {
+    if (is_asked(law, options)) all = ask(law, *simulator, options) && all;
+  }
+  return all ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tps::properties::runs
+
+int main(int argc, char** argv) {
+  using namespace tps::properties::runs;
+  Options options;
+  options.seed = std::random_device{}();
+  CLI::App app{
+      "Laws of whole runs, asked of the reference or of COMMAND, which takes the options of `tps run`.\n"
+      "Example: tps_run_laws --cases 20 --seed 1 -- ./my_simulator run"};
+  app.add_flag("--list", options.list, "the laws, as a table");
+  app.add_flag("--hazards", options.list_hazards, "what generated scenes meet, as a table");
+  app.add_option("--law", options.only, "one law, by its name");
+  app.add_option("--scalar", options.scalar)
+      ->check(CLI::IsMember({"float", "double", "long-double", "quad", "mp50", "mp100"}));
+  app.add_option("--timing", options.timing)->check(CLI::IsMember({"paper", "stable", "certified"}));
+  app.add_option("--cases", options.cases, "generated scenes a law")->check(CLI::Range(1, 1000000));
+  app.add_option("--seed", options.seed, "repeats a search; printed by every one");
+  app.add_option("command", options.command, "the program to ask, behind --");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    if (options.list) print_laws();
+    if (options.list_hazards) print_hazards();
+    return options.list || options.list_hazards ? 0 : run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "tps_run_laws: " << error.what() << "\n";
+    return 4;
+  }
+}

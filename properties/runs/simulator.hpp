@@ -1,0 +1,50 @@
+// What a law of runs asks of an implementation: simulate a scene, and tell what happened in a trace.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/runs/judge.hpp"
+#include "properties/runs/trace.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps::properties::runs {
+
+/// Where a run ends, and how often its trace holds a full state (0: as the implementation likes).
+struct Extent {
+  std::uint64_t max_events = 100;
+  std::uint64_t state_every = 0;
+};
+
+/// An implementation, in one scalar and one way of timing.
+class Simulator {
+ public:
+  virtual ~Simulator() = default;
+  virtual std::string name() const = 0;
+  virtual std::string scalar() const = 0;  ///< as in the header of a trace
+  virtual std::string timing() const = 0;  ///< as in the header of a trace
+
+  /// The whole trace of a run of a valid scene.
+  virtual std::string simulate(const Scene& scene, const Extent& extent) = 0;
+
+  /// The whole trace of the run that goes on from the beginning of a trace; nothing where it cannot.
+  virtual std::optional<std::string> go_on(const std::string& beginning, const Extent& extent) = 0;
+
+  RunTrace run(const Scene& scene, const Extent& extent = {}) { return read_trace(simulate(scene, extent)); }
+  Real roundoff() const { return judged_roundoff(scalar()); }
+};
+
+/// The reference in this process. `timing` may be paper or stable, and certified for float and double.
+/// REQUIRES known names.
+std::unique_ptr<Simulator> reference_simulator(const std::string& scalar, const std::string& timing);
+
+/// Any command that simulates as `tps run` does: COMMAND SCENE -o TRACE --scalar … --timing … --max-events …
+/// [--state-every …], and COMMAND --resume TRACE -o OTHER --max-events …. Its traces are read as they come,
+/// so a command that fails or writes something else throws std::runtime_error with the command and its exit
+/// code.
+std::unique_ptr<Simulator> command_simulator(const std::string& command, const std::string& scalar,
+                                             const std::string& timing);
+
+}  // namespace tps::properties::runs

@@ -1,0 +1,51 @@
+// A run as a reader of its trace sees it (docs/trace.md).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/runs/judge.hpp"
+
+namespace tps::properties::runs {
+
+/// A particle at an event.
+struct TracedState {
+  Point position = Point::Zero(), velocity = Point::Zero();
+  bool operator==(const TracedState&) const = default;
+};
+
+/// One event; particles by id.
+struct TracedEvent {
+  std::uint64_t k = 0;
+  Instant t;    ///< on the scene's clock
+  Real dt = 0;  ///< since the event before, as the run rounded it
+  std::string kind;
+  std::optional<std::int32_t> i, j;
+  std::map<std::int32_t, TracedState> pre, post;
+  std::optional<Point> dp, dp_stored;
+  std::vector<std::int32_t> members;
+  std::string tether;  ///< "formed", "broken" or empty
+  std::optional<Real> draw;
+  int phase = -1;
+
+  bool is_collision() const { return kind == "rebound" || kind == "retract" || kind == "revolve"; }
+  bool is_load() const { return !members.empty(); }
+  bool operator==(const TracedEvent&) const = default;
+};
+
+struct RunTrace {
+  std::vector<std::string> lines;  ///< all, without their ends
+  std::vector<TracedEvent> events;
+  std::string end;  ///< why the run ended; empty for a truncated trace
+  Instant end_time;
+  std::string bytes() const;
+};
+
+/// Reads a whole trace. Throws InputError, or std::runtime_error that names the line and what it lacks.
+RunTrace read_trace(std::string_view bytes);
+
+}  // namespace tps::properties::runs
