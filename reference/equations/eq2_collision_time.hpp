@@ -77,7 +77,10 @@ CollisionTime<Scalar> timed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D
 /// REQUIRES finite inputs with finite differences. A time beyond the scalar's range is ∞ or 0.
 /// Laws: (1) block_time(A, B) == block_time(B, A) bitwise; (2) lengths and velocities times 2^k leave the
 /// verdict and t unchanged bitwise, velocities alone times 2^k divide t by 2^k; (3) a larger L is never
-/// reached later; (4) for `hit` the distance at t is L to a few u (|r| + L). (3) and (4) to rounding, see
+/// reached later; (4) for `hit` the distance at t is L to a few u (|r| + L); (5) t is 0, absent or positive
+/// as the verdict says; (6) away from the boundaries of verdicts it is the exact one; (7) axes may be
+/// reflected, bitwise; (8) and exchanged, bitwise in 2-D; (9) offsets common to both positions, or to both
+/// velocities, change nothing where adding them is exact. (3), (4), (6) and (8) to rounding, see
 /// docs/eq2.md.
 /// Accuracy: verdicts near their boundaries are those of rounded coefficients; see docs/eq2.md.
 template <typename Scalar, int D>
@@ -92,7 +95,7 @@ CollisionTime<Scalar> block_time(const Vector<Scalar, D>& u_A, const Vector<Scal
 ///
 /// @return verdict, and t: 0 for `taut` and `overstretched`, the larger root for `hit`, the moment of
 /// closest approach for `turning`, absent for `static` only: a moving tethered pair always has an event.
-/// Parameters, requirements and laws (1), (2), (4) as for block_time.
+/// Parameters, requirements and laws but (3) as for block_time.
 template <typename Scalar, int D>
 CollisionTime<Scalar> tether_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                   const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,

@@ -24,7 +24,8 @@ Vector<Scalar, D> collision_impulse(const CollisionFrame<Scalar, D>& frame,
 /// @param c coefficient of restitution in [0, 1]. REQUIRES u_A ≠ u_B, not both masses infinite.
 /// @return Δp, a momentum along û.
 /// Laws: (1) afterwards v_n' = −c v_n and v_ŵ' = v_ŵ; (2) momentum is conserved; (3) the kinetic energy
-/// falls by ½ μ (1 − c²) v_n²; (4) angular momentum is conserved (Δp is along û).
+/// falls by ½ μ (1 − c²) v_n²; (4) angular momentum is conserved (Δp is along û); (5) lengths times 2^k
+/// change nothing, velocities or masses times 2^k multiply Δp by 2^k, bitwise.
 template <typename Scalar, int D>
 Vector<Scalar, D> collision_impulse(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                     const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,

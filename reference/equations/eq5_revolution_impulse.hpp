@@ -71,8 +71,10 @@ Vector<Scalar, D> revolution_impulse(const CollisionFrame<Scalar, D>& frame,
 /// REQUIRES u_A ≠ u_B, v_ŵ ≠ 0, not both masses infinite.
 /// Laws: (1) afterwards the pair closes at the angle θ from perpendicular: v_n' = −tan θ |v_ŵ'|; (2) the
 /// relative speed changes by the factor c_revolve^(θ/π); (3) momentum is conserved; (4) the kinetic energy
-/// falls by ½ μ (1 − c_revolve^(2θ/π)) |v_AB|². Angular momentum is not conserved: a tangential first event
-/// multiplies it by c_revolve^(θ/π) cos θ.
+/// falls by ½ μ (1 − c_revolve^(2θ/π)) |v_AB|²; (5) lengths times 2^k change nothing, velocities or masses
+/// times 2^k multiply Δp by 2^k, bitwise; (6) at θ = 45° a pair on its orbit is back after four events,
+/// slower by c_revolve. Angular momentum is not conserved: a tangential first event multiplies it by
+/// c_revolve^(θ/π) cos θ.
 template <typename Scalar, int D>
 Vector<Scalar, D> revolution_impulse(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                      const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,

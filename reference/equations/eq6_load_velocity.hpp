@@ -13,7 +13,8 @@ namespace tps {
 /// The ratios let an infinite mass through without a special case: its weight is 1, the other's 0.
 /// @param m_A,m_B masses in (0, ∞]. REQUIRES not both infinite.
 /// Laws: (1) (m_A + m_B) v_load = m_A v_A + m_B v_B; (2) each component of v_load is
-/// between those of v_A and v_B, to rounding.
+/// between those of v_A and v_B, to rounding; (3) A and B may be exchanged; (4) with an infinite mass v_load
+/// is its velocity. (3) and (4) bitwise.
 template <typename Scalar, int D>
 Vector<Scalar, D> load_velocity(const std::type_identity_t<Scalar>& m_A,
                                 const std::type_identity_t<Scalar>& m_B, const Vector<Scalar, D>& v_A,

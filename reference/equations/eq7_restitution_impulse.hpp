@@ -12,7 +12,7 @@ namespace tps {
 ///
 /// @param dp the impulse of eq. (4) or (5). @param v_A,v_B velocities before the load.
 /// Laws: (1) eqs. (6) then (7) with (3) give the same velocities as (3) with Δp alone; (2) the energy kept
-/// meanwhile is |Δp_AB|² / 2μ.
+/// meanwhile is |Δp_AB|² / 2μ; (3) exchanging A and B flips Δp_AB, bitwise.
 template <typename Scalar, int D>
 Vector<Scalar, D> restitution_impulse(const std::type_identity_t<Scalar>& m_A,
                                       const std::type_identity_t<Scalar>& m_B, const Vector<Scalar, D>& v_A,

@@ -20,8 +20,10 @@ struct TetherResponse {
 /// Retraction or revolution of a tethered pair at Δu_tethering (paper: the condition between eqs. 4 and 5).
 ///
 /// @param frame the collision seen from A, with v_n ≥ 0 (separating or perpendicular).
-/// Laws: those of the equation that answers; and afterwards the pair closes at an angle of at least θ from
-/// perpendicular (strictly more after a retraction) unless it is at rest.
+/// Laws: (1) those of the equation that answers; (2) afterwards the pair closes at an angle of at least θ
+/// from perpendicular (strictly more after a retraction) unless it is at rest; (3) the condition decides,
+/// beyond rounding; (4) momentum is conserved by eq. (3); (5) energy never rises; (6) A and B may be
+/// exchanged, bitwise.
 template <typename Scalar, int D>
 TetherResponse<Scalar, D> tether_response(const CollisionFrame<Scalar, D>& frame,
                                           const std::type_identity_t<Scalar>& m_A,

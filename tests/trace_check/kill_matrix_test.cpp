@@ -68,9 +68,9 @@ TEST_P(GoodTraces, OfFloatsConform) {
 
 TEST_P(GoodTraces, OfWideScalarsConform) {
   for (const char* scalar : {"long-double", "quad", "mp50", "mp100"}) {
-    expect_conforming(scalar, Timing::stable, 80);
+    expect_conforming(scalar, Timing::stable, 40);
   }
-  expect_conforming("quad", Timing::paper, 40);
+  expect_conforming("quad", Timing::paper, 20);
 }
 
 TEST_P(GoodTraces, StayGoodUnderLegalChanges) {

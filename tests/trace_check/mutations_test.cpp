@@ -15,7 +15,7 @@ class Mutations : public ::testing::TestWithParam<std::string> {};
 
 std::string file_of(const std::string& name, const std::string& scalar = "double") {
   const NamedScene named = scene_named(name);
-  return trace_bytes(named.scene, scalar, Timing::stable, std::min<std::uint64_t>(named.events, 100));
+  return trace_bytes(named.scene, scalar, Timing::stable, std::min<std::uint64_t>(named.events, 80));
 }
 
 std::vector<std::string> short_scenes() {

@@ -146,8 +146,8 @@ const std::map<std::string, std::function<Scene()>>& made() {
 
 std::uint64_t cut(const std::string& name) {
   if (name == "stalled") return 20'000;  // it stalls at 10 004
-  if (name == "gas" || name == "terminal" || name == "sheet-touching") return 150;
-  return 300;
+  if (name == "gas" || name == "terminal" || name.starts_with("sheet")) return 100;
+  return 200;
 }
 
 }  // namespace

@@ -67,6 +67,9 @@ struct GroupResponse {
 
 /// Loads the collisions in their order, each between the bodies (groups or single) that hold i and j, then
 /// unwinds. An infinite mass grounds what collides with it and joins no group.
+/// Laws: (1) velocities are those of eqs. (4) to (7) and (3), nested; (2) momentum of finite masses is
+/// conserved; (3) energy never rises, and comes back where every c is 1; (4) loads of different bodies may
+/// come in any order.
 ///
 /// REQUIRES vectors of one dimension, finite numbers in the ranges of the operations, i and j in range.
 /// Throws InputError, naming the collision, where i and j are in one body, both bodies are infinite, the

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   tps::cli::add_eval(app, exit_code);
   tps::cli::add_vectors(app, exit_code);
   tps::cli::add_serve(app, exit_code);
+  tps::cli::add_properties(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -15,6 +15,7 @@ void add_claims(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
 void add_vectors(CLI::App& app, int& exit_code);
 void add_serve(CLI::App& app, int& exit_code);
+void add_properties(CLI::App& app, int& exit_code);
 
 /// What the program returns to the shell (--help lists the same).
 enum ExitCode : int {

@@ -1,10 +1,13 @@
 // Where the rules put their verdicts: counts and margins for each rule, the first findings in full.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "verify/trace_check/report.hpp"
 
@@ -79,6 +82,13 @@ class Tally {
   }
   void close_sums();
 
+  /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
+  bool seen_before(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    std::uint64_t& slot = seen_[(bits * 0x9e3779b97f4a7c15U) >> 48U];
+    return std::exchange(slot, bits) == bits;
+  }
+
  private:
   struct Moments {
     std::uint64_t count = 0;
@@ -106,6 +116,7 @@ class Tally {
   double tolerance_;
   std::uint64_t max_reports_;
   std::map<std::string, Moments> moments_;
+  std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(std::size_t{1} << 16U);
 };
 
 }  // namespace tps::check

@@ -43,10 +43,15 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
 /// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected:
 /// that of the time and that of the distance.
 template <typename Number>
-void add_time_residual(const Context<Number>& c, const Quadratic<Work<Number>>& q, bool outer,
-                       const Work<Number>& dt) {
+void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
+                       const Quadratic<Work<Number>>& q, const Work<Number>& dt) {
   using std::sqrt;
   using W = Work<Number>;
+  const auto since_start = [&](int i) {
+    return !c.model.fixed(i) && c.model.flight(i).since == Instant<Number>{};
+  };
+  if (since_start(event.i) || since_start(event.j) || c.tally.seen_before(as_double(dt))) return;
+  const bool outer = event.kind != Kind::rebound;
   const W D = q.discriminant();
   if (!(q.a > W(0)) || D < q.h * q.h / W(4) || dt <= W(0)) return;
   const W root = sqrt(D);
@@ -102,7 +107,7 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
     if (c.certified()) {
       const TimingQuery query = timing_query(pair, outer, static_cast<double>(limit->L));
       c.tally.demand(Rule::contact, detail::at_certified_time(c, event, pair, *limit, query), describe);
-      detail::add_time_residual(c, q, outer, dt);
+      detail::add_time_residual(c, event, q, dt);
       return;
     }
   }
@@ -114,7 +119,7 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   const bool at_root = ulps <= W(6);
   c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9),
                  6, describe);
-  detail::add_time_residual(c, q, outer, dt);
+  detail::add_time_residual(c, event, q, dt);
 }
 
 /// At an inner limit a pair approaches, at an outer one it separates; a vanishing v_n has the sign of

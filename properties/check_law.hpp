@@ -1,0 +1,56 @@
+// Runs laws: generates cases, and shrinks what breaks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "properties/implementation.hpp"
+#include "properties/law.hpp"
+
+namespace tps::properties {
+
+/// Which cases: numbers `first` to `first + count` of a seed. A case is a function of law, format, seed and
+/// number alone.
+struct Extent {
+  std::uint64_t seed = 20260101;
+  std::uint64_t first = 0;
+  std::uint64_t count = 500;
+};
+
+/// A case in which a law does not hold.
+struct Finding {
+  const Law* law;
+  std::uint64_t number;  ///< of the case that was generated
+  Case generated, shrunk;
+  Outcome outcome;                  ///< of the shrunk case
+  std::vector<Question> questions;  ///< that the law asked about the shrunk case
+  int shrinks = 0;
+};
+
+/// What became of the cases of one law.
+struct Tally {
+  std::uint64_t held = 0, outside = 0, skipped = 0;
+  std::map<std::string, std::uint64_t> hazards;  ///< cases in which the law held, by hazards_of()
+  std::string why_not;                           ///< of the latest case outside, skipped
+};
+
+struct Examined {
+  Outcome outcome;
+  std::vector<Question> questions;
+};
+
+/// One case.
+Examined examine(const Law& law, Implementation& subject, const Case& c);
+
+/// The cases of an extent, until one is a finding or `stop` says so.
+std::optional<Finding> check_law(
+    const Law& law, Implementation& subject, const Extent& extent, Tally& tally,
+    const std::function<bool()>& stop = [] { return false; });
+
+/// The case of a law with a number.
+Case generated_case(const Law& law, const Format& format, std::uint64_t seed, std::uint64_t number);
+
+}  // namespace tps::properties

@@ -1,0 +1,64 @@
+#include "properties/explore/explore.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace tps::properties {
+namespace {
+
+constexpr std::uint64_t kCasesOfARound = 50;
+
+bool is_done(const LawReport& report) {
+  return report.finding || report.tally.skipped > 0;
+}
+
+}  // namespace
+
+std::uint64_t Exploration::held() const {
+  return std::accumulate(laws.begin(), laws.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const LawReport& each) { return sum + each.tally.held; });
+}
+
+std::vector<const Finding*> Exploration::findings() const {
+  std::vector<const Finding*> found;
+  for (const LawReport& each : laws) {
+    if (each.finding) found.push_back(&*each.finding);
+  }
+  return found;
+}
+
+Exploration explore(Implementation& subject, const Plan& plan, const std::function<bool()>& stop,
+                    const std::function<void(const Exploration&)>& after_round) {
+  Exploration exploration{subject.name(), plan, plan.first, {}};
+  for (const Law* law : plan.laws) exploration.laws.push_back({law, {}, std::nullopt});
+  const std::uint64_t end = plan.first + plan.count;
+  while (exploration.next < end && !stop() &&
+         !std::all_of(exploration.laws.begin(), exploration.laws.end(), is_done)) {
+    const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
+    for (LawReport& report : exploration.laws) {
+      if (is_done(report)) continue;
+      report.finding =
+          check_law(*report.law, subject, {plan.seed, exploration.next, count}, report.tally, stop);
+    }
+    if (stop()) break;  // the round is asked again when going on
+    exploration.next += count;
+    after_round(exploration);
+  }
+  return exploration;
+}
+
+std::vector<const Law*> laws_matching(const std::vector<std::string>& patterns) {
+  std::vector<const Law*> chosen;
+  for (const Law& law : laws()) {
+    const bool wanted =
+        patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+          return ::fnmatch(pattern.c_str(), law.text.id.c_str(), 0) == 0 || law.text.number == pattern;
+        });
+    if (wanted) chosen.push_back(&law);
+  }
+  return chosen;
+}
+
+}  // namespace tps::properties

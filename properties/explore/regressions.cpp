@@ -1,0 +1,158 @@
+#include "properties/explore/regressions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "reference/scene/input_error.hpp"
+#include "reference/scene/nearest_name.hpp"
+#include "verify/vectors/generate.hpp"
+#include "verify/vectors/known_answer.hpp"
+
+namespace tps::properties {
+namespace {
+
+std::vector<std::string> law_ids() {
+  std::vector<std::string> ids;
+  for (const Law& law : laws()) ids.push_back(law.text.id);
+  return ids;
+}
+
+/// The lists of a group go together.
+void check_group(const Case& c) {
+  const auto size = [&](const char* key) { return c.numbers.at(key).size(); };
+  const std::size_t bodies = size("m"), components = bodies * static_cast<std::size_t>(c.dimension);
+  if (bodies < 2 || size("u") != components || size("v") != components)
+    throw std::invalid_argument(
+        "m needs a number for each of two bodies or more, u and v a vector for each in a row");
+  if (size("i") != size("j") || size("i") != size("c"))
+    throw std::invalid_argument("i, j and c need a number for each collision");
+  for (const char* key : {"i", "j"}) {
+    for (const double n : c.numbers.at(key)) {
+      if (n >= static_cast<double>(bodies))
+        throw std::invalid_argument(fmt::format("{} names body {} of {}", key, n, bodies));
+    }
+  }
+}
+
+/// The case has the keys that the law's own cases have, and as many numbers under each.
+void check_numbers(const Law& law, const Case& c) {
+  const Case example = generated_case(law, {}, 0, 0);
+  for (const auto& [key, values] : example.numbers) {
+    if (!c.numbers.contains(key))
+      throw std::invalid_argument(fmt::format("a case of {} needs {}", law.text.id, key));
+    const bool is_single = !example.numbers.contains("m") && !is_vector(key);
+    if (is_single && c.numbers.at(key).size() != 1)
+      throw std::invalid_argument(
+          fmt::format("{} has {} numbers; it has one", key, c.numbers.at(key).size()));
+  }
+  if (example.numbers.contains("m")) check_group(c);
+}
+
+Regression read_regression(const std::string& line) {
+  const Json json = Json::parse(line);
+  const std::string id = json.at("law").get<std::string>();
+  const Law* law = find_law(id);
+  if (law == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("there is no law {}; did you mean {}? tps properties --list has all", id,
+                    nearest_name(id, law_ids())));
+  }
+  const Case c = read_case(json.at("case"));
+  check_numbers(*law, c);
+  return {law, c, json.at("subject").get<std::string>(), json.at("why").get<std::string>()};
+}
+
+std::vector<std::string> accepted_by(const std::string& op) {
+  if (op == "order") return {"R"};
+  if (op == "group") return {"R", "K(64)"};
+  return {"R", op == "block_time" || op == "tether_time" ? "K(8)" : "K(16)"};
+}
+
+/// One line, without its id; empty where the question has no known answer.
+Json answered(const Question& question) {
+  try {
+    return vectors::known_answer(question.op, question.in);
+  } catch (const std::invalid_argument&) {
+    return {};
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+std::string regression_line(const Finding& finding, const std::string& subject) {
+  const Json line{{"law", finding.law->text.id},
+                  {"case", case_json(finding.shrunk)},
+                  {"subject", subject},
+                  {"why", finding.outcome.why}};
+  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::vector<Regression> read_regressions(std::istream& in, const std::string& name) {
+  std::vector<Regression> regressions;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    try {
+      regressions.push_back(read_regression(line));
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError({{name, number, "", fmt::format("is no regression: {}", error.what())}});
+    } catch (const std::invalid_argument& error) {
+      throw InputError({{name, number, "", error.what()}});
+    }
+  }
+  return regressions;
+}
+
+bool fits(const Case& c, const Format& format) {
+  return std::all_of(c.numbers.begin(), c.numbers.end(), [&](const auto& entry) {
+    return std::all_of(entry.second.begin(), entry.second.end(), [&](double x) {
+      const bool in_range = x == 0 || std::isinf(x) || std::abs(std::ilogb(x)) < format.max_exponent;
+      return in_range && format.rounded(x) == x;
+    });
+  });
+}
+
+std::string known_answer_file(const std::vector<const Finding*>& findings, std::uint64_t seed) {
+  std::map<std::string, std::vector<Json>> cases;  // by operation
+  for (const Finding* finding : findings) {
+    std::vector<std::string> seen;
+    for (const Question& question : finding->questions) {
+      const std::string in = question.in.dump();
+      if (std::find(seen.begin(), seen.end(), in) != seen.end()) continue;
+      seen.push_back(in);
+      const Json answer = question.op == "distance" ? Json() : answered(question);
+      if (answer.empty()) continue;
+      std::vector<Json>& section = cases[question.op];
+      Json line{{"id", fmt::format("{}.broken_laws.{:05}", question.op, section.size())},
+                {"rev", 1},
+                {"in", question.in}};
+      line.update(answer);
+      line["tags"] = {finding->shrunk.hazard, finding->law->text.id};
+      line["level"] = 3;
+      line["accept"] = accepted_by(question.op);
+      section.push_back(line);
+    }
+  }
+  std::string text;
+  for (const auto& [op, section] : cases) {
+    const vectors::Stratum stratum{op,
+                                   "broken_laws",
+                                   "cases in which an implementation broke a law",
+                                   static_cast<int>(section.size()),
+                                   accepted_by(op),
+                                   nullptr};
+    Json header = Json::parse(vectors::header_line(stratum, seed, {0, section.size()}));
+    header["generator"] = "tps properties";
+    text += header.dump() + "\n";
+    for (const Json& line : section) text += line.dump() + "\n";
+  }
+  return text;
+}
+
+}  // namespace tps::properties

@@ -1,0 +1,143 @@
+#include "properties/explore/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "reference/scene/number_text.hpp"
+
+namespace tps::properties {
+namespace {
+
+std::string shown(const Case& c) {
+  std::ostringstream text;
+  text << c;
+  return text.str();
+}
+
+/// Decimal where that is short and exact.
+std::string word_of(const Json& number) {
+  const std::string hex = number.get<std::string>();
+  if (hex == "inf") return hex;
+  const std::string decimal = fmt::format("{}", parse_hex_float(hex).value);
+  return decimal.size() < hex.size() ? decimal : hex;
+}
+
+Json law_json(const LawText& text) {
+  return {{"id", text.id}, {"number", text.number}, {"sentence", text.sentence}, {"page", text.page}};
+}
+
+Json finding_json(const Finding& finding) {
+  Json questions = Json::array();
+  for (const Question& question : finding.questions)
+    questions.push_back({{"op", question.op}, {"in", question.in}});
+  return {{"kind", finding.outcome.kind == Outcome::Kind::failed ? "failed" : "broken"},
+          {"why", finding.outcome.why},
+          {"number", finding.number},
+          {"shrinks", finding.shrinks},
+          {"case", case_json(finding.shrunk)},
+          {"generated", case_json(finding.generated)},
+          {"questions", questions}};
+}
+
+std::map<std::string, std::uint64_t> counted_hazards(const Exploration& exploration) {
+  std::map<std::string, std::uint64_t> sums;
+  for (const LawReport& report : exploration.laws) {
+    for (const auto& [hazard, count] : report.tally.hazards) sums[hazard] += count;
+  }
+  return sums;
+}
+
+std::string state_of(const LawReport& report) {
+  if (report.finding) return report.finding->outcome.kind == Outcome::Kind::failed ? "FAILED" : "BROKEN";
+  if (report.tally.skipped > 0) return "not offered";
+  return report.tally.held > 0 ? "holds" : "not met";
+}
+
+}  // namespace
+
+std::string command_of(const Question& question) {
+  std::string text = "tps eval " + question.op;
+  if (question.op == "group" || question.op == "order")
+    return fmt::format("echo '{}' | {} --in -", question.in.dump(), text);
+  for (const auto& [key, value] : question.in.items()) {
+    text += fmt::format(" {}=", key);
+    if (!value.is_array()) {
+      text += word_of(value);
+      continue;
+    }
+    for (std::size_t k = 0; k < value.size(); ++k) text += (k > 0 ? "," : "") + word_of(value[k]);
+  }
+  return text;
+}
+
+std::string list_text(const std::vector<const Law*>& laws) {
+  std::string text;
+  for (const Law* law : laws) {
+    fmt::format_to(std::back_inserter(text), "{:<22} {}\n{:<22} {}; {} ({})\n", law->text.number,
+                   law->text.id, "", law->text.sentence, law->text.page, fmt::join(law->operations, ", "));
+  }
+  return text;
+}
+
+std::string list_json(const std::vector<const Law*>& laws) {
+  Json list = Json::array();
+  for (const Law* law : laws) {
+    list.push_back(law_json(law->text));
+    list.back()["operations"] = law->operations;
+  }
+  return list.dump(1) + "\n";
+}
+
+std::string finding_text(const Finding& finding, const Plan& plan) {
+  const LawText& law = finding.law->text;
+  std::string text = fmt::format(
+      "{} {}: {}\n  {}, {}\n  {}\n  shrunk:    {}\n  generated: {} (case {} of seed {}, {} shrinks before)\n",
+      finding.outcome.kind == Outcome::Kind::failed ? "FAILED" : "BROKEN", law.number, law.sentence, law.id,
+      law.page, finding.outcome.why, shown(finding.shrunk), shown(finding.generated), finding.number,
+      plan.seed, finding.shrinks);
+  for (const Question& question : finding.questions) text += "  " + command_of(question) + "\n";
+  return text;
+}
+
+std::string exploration_text(const Exploration& exploration) {
+  std::string text;
+  for (const LawReport& report : exploration.laws) {
+    fmt::format_to(std::back_inserter(text), "{:<22} {:<12} {:>7} held {:>7} outside  {}\n",
+                   report.law->text.number, state_of(report), report.tally.held, report.tally.outside,
+                   report.law->text.id);
+  }
+  if (exploration.held() > 0) text += "cases held by hazard:";
+  for (const auto& [hazard, count] : counted_hazards(exploration))
+    text += fmt::format(" {} {},", hazard, count);
+  if (exploration.held() > 0) text.back() = '\n';
+  for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
+  return text + fmt::format("{}: laws {}, cases held {}, broken {}; go on with --seed {} --first {}\n",
+                            exploration.subject, exploration.laws.size(), exploration.held(),
+                            exploration.findings().size(), exploration.plan.seed, exploration.next);
+}
+
+std::string exploration_json(const Exploration& exploration) {
+  Json reports = Json::array();
+  for (const LawReport& report : exploration.laws) {
+    Json one = law_json(report.law->text);
+    one["state"] = state_of(report);
+    one["held"] = report.tally.held;
+    one["outside"] = report.tally.outside;
+    if (report.tally.held == 0) one["why_not"] = report.tally.why_not;
+    one["hazards"] = report.tally.hazards;
+    if (report.finding) one["finding"] = finding_json(*report.finding);
+    reports.push_back(one);
+  }
+  return Json{{"subject", exploration.subject},          {"seed", exploration.plan.seed},
+              {"first", exploration.plan.first},         {"next", exploration.next},
+              {"hazards", counted_hazards(exploration)}, {"laws", reports}}
+             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace tps::properties

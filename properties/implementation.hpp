@@ -1,0 +1,45 @@
+// An implementation of the operations of the interface (docs/protocol.md), anybody's.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "properties/format.hpp"
+
+namespace tps::properties {
+
+using Json = nlohmann::ordered_json;
+
+/// One operation on given numbers, as the protocol sends it: doubles as hexadecimal floats.
+struct Question {
+  std::string op;
+  Json in;
+};
+
+struct Answer {
+  enum class Status {
+    answered,
+    skipped,  ///< the operation is not offered
+    refused,  ///< there is no answer: 0/0, or beyond the range of its numbers
+    failed,   ///< a crash, a hang, or something that is no answer
+  };
+  Status status = Status::answered;
+  Json out = Json::object();  ///< as in the protocol; hexadecimal floats of any length, or JSON numbers
+  std::string reason = {};    ///< empty if answered
+};
+
+class Implementation {
+ public:
+  Implementation() = default;
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+  virtual ~Implementation() = default;
+
+  virtual std::string name() const = 0;
+  /// Laws are judged by the unit roundoff 2^-bits of this format.
+  virtual Format format() const = 0;
+  /// Never throws for what the implementation does.
+  virtual Answer ask(const Question& question) = 0;
+};
+
+}  // namespace tps::properties

@@ -1,0 +1,199 @@
+// The equations in one scalar as an implementation. Heavy header: one source a scalar includes it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "properties/implementation.hpp"
+#include "reference/equations/eq1_distance.hpp"
+#include "reference/equations/eq2_collision_time.hpp"
+#include "reference/equations/eq3_apply_impulse.hpp"
+#include "reference/equations/eq6_load_velocity.hpp"
+#include "reference/equations/eq7_restitution_impulse.hpp"
+#include "reference/equations/tether_response.hpp"
+#include "reference/scene/number_text.hpp"
+#include "reference/trace/hexfloat.hpp"
+
+namespace tps::properties {
+
+/// Of an operation that has neither.
+inline const Json kNoVector = Json::array({0, 0, 0});
+
+/// One question in D dimensions, or a planar one in space with z = 0.
+template <typename Scalar, int D>
+class Equations {
+ public:
+  using Vec = Vector<Scalar, D>;
+
+  Equations(const Json& in, int dimension) : in_(in), dimension_(dimension) {}
+
+  Answer answer(const std::string& op) {
+    if (op == "distance")
+      out_["du"] =
+          hex(distance_after<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("dt")));
+    else if (op == "block_time")
+      time(block_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
+    else if (op == "tether_time")
+      time(tether_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
+    else if (op == "apply_impulse")
+      velocities(vec("dp"));
+    else if (op == "collision_impulse")
+      out_["dp"] = hex(collision_impulse<Scalar, D>(frame(), number("m_A"), number("m_B"), number("c")));
+    else if (op == "revolution_impulse")
+      revolve();
+    else if (op == "tether_response")
+      respond();
+    else if (op == "load")
+      out_["v_load"] = hex(load_velocity<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B")));
+    else if (op == "restitution_impulse")
+      out_["dp_AB"] = hex(
+          restitution_impulse<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B"), vec("dp")));
+    else if (op == "group")
+      group();
+    else
+      return {Answer::Status::skipped, {}, "not among the equations"};
+    if (!refusal_.empty()) return {Answer::Status::refused, {}, refusal_};
+    return {Answer::Status::answered, std::move(out_)};
+  }
+
+ private:
+  static Scalar scalar(const Json& value) {
+    const std::string& text = value.get_ref<const std::string&>();
+    return static_cast<Scalar>(text == "inf" ? HUGE_VAL : parse_hex_float(text).value);
+  }
+  Vec vec(const Json& value) const {
+    Vec x = Vec::Zero();
+    for (int k = 0; k < dimension_; ++k) x[k] = scalar(value.at(static_cast<std::size_t>(k)));
+    return x;
+  }
+  Scalar number(const char* key) const { return scalar(in_.at(key)); }
+  Vec vec(const char* key) const { return vec(in_.at(key)); }
+
+  Json hex(const Scalar& x) {
+    using std::abs;
+    if (abs(x) <= (std::numeric_limits<Scalar>::max)()) return to_hex(x);
+    refusal_ = "beyond the range of the scalar";
+    return nullptr;
+  }
+  Json hex(const Vec& x) {
+    Json list = Json::array();
+    for (int k = 0; k < dimension_; ++k) list.push_back(hex(Scalar(x[k])));
+    return list;
+  }
+  void time(const CollisionTime<Scalar>& at) {
+    out_["verdict"] = std::string(name(at.verdict));
+    if (at.t) out_["t"] = hex(*at.t);
+  }
+
+  CollisionFrame<Scalar, D> frame() const {
+    return collision_frame<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"));
+  }
+  void velocities(const Vec& dp) {
+    const PairVelocities<Scalar, D> after =
+        apply_impulse<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B"), dp);
+    out_["v_A"] = hex(after.v_A);
+    out_["v_B"] = hex(after.v_B);
+  }
+  void revolve() {
+    const CollisionFrame<Scalar, D> f = frame();
+    if (norm<Scalar, D>(f.v_w) == Scalar(0)) {
+      refusal_ = "v_ŵ is zero, so û_revolve is 0/0";
+      return;
+    }
+    out_["dp"] = hex(revolution_impulse<Scalar, D>(f, number("m_A"), number("m_B"), number("c_revolve"),
+                                                   number("theta_revolve_deg")));
+  }
+  void respond() {
+    const TetherResponse<Scalar, D> answer =
+        tether_response<Scalar, D>(frame(), number("m_A"), number("m_B"), number("c_retract"),
+                                   number("c_revolve"), number("theta_revolve_deg"));
+    out_["kind"] = answer.kind == TetherResponseKind::revolve ? "revolve" : "retract";
+    out_["dp"] = hex(answer.dp);
+    velocities(answer.dp);
+  }
+
+  /// Inner collisions only: the laws ask no others.
+  void group() {
+    struct Node {
+      std::vector<std::size_t> i, j;
+      Scalar m_i, m_j;
+      Vec dp;
+    };
+    std::vector<Scalar> m;
+    std::vector<Vec> u, v;
+    std::vector<std::vector<std::size_t>> members;
+    for (const Json& body : in_.at("bodies")) {
+      m.push_back(scalar(body.at("m")));
+      u.push_back(vec(body.at("u")));
+      v.push_back(vec(body.at("v")));
+      members.push_back(m.back() == std::numeric_limits<Scalar>::infinity()
+                            ? std::vector<std::size_t>{}
+                            : std::vector<std::size_t>{members.size()});
+    }
+    std::vector<Node> nodes;
+    for (const Json& c : in_.at("collisions")) {
+      const auto i = c.at("i").get<std::size_t>(), j = c.at("j").get<std::size_t>();
+      const CollisionFrame<Scalar, D> f = collision_frame<Scalar, D>(u[i], u[j], v[i], v[j]);
+      const Vec dp = collision_impulse<Scalar, D>(f, m[i], m[j], scalar(c.at("c")));
+      nodes.push_back(
+          {members[i], members[j], m[i], m[j], restitution_impulse<Scalar, D>(m[i], m[j], v[i], v[j], dp)});
+      const Vec joint = load_velocity<Scalar, D>(m[i], m[j], v[i], v[j]);
+      const Scalar mass = m[i] + m[j];
+      std::vector<std::size_t> all = members[i];
+      all.insert(all.end(), members[j].begin(), members[j].end());
+      for (const std::size_t n : all) {
+        v[n] = joint;
+        m[n] = mass;
+        members[n] = all;
+      }
+    }
+    const auto list = [&] {
+      Json velocities = Json::array();
+      for (const Vec& each : v) velocities.push_back(hex(each));
+      return velocities;
+    };
+    out_["loaded"] = list();
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+      for (const std::size_t n : node->i)
+        v[n] = apply_impulse<Scalar, D>(node->m_i, node->m_j, v[n], v[n], node->dp).v_A;
+      for (const std::size_t n : node->j)
+        v[n] = apply_impulse<Scalar, D>(node->m_i, node->m_j, v[n], v[n], node->dp).v_B;
+    }
+    out_["restituted"] = list();
+  }
+
+  const Json& in_;
+  int dimension_;
+  Json out_ = Json::object();
+  std::string refusal_;
+};
+
+template <typename Scalar>
+class EquationsIn final : public Implementation {
+ public:
+  explicit EquationsIn(std::string name) : name_(std::move(name)) {}
+
+  std::string name() const override { return "the equations in " + name_; }
+  Format format() const override { return Format::of_bits(std::numeric_limits<Scalar>::digits); }
+  Answer ask(const Question& question) override {
+    const Json& in = question.in;
+    const Json& vector = in.contains("bodies") ? in.at("bodies").at(0).at("v")
+                         : in.contains("v_A")  ? in.at("v_A")
+                                               : kNoVector;
+    const auto dimension = static_cast<int>(vector.size());
+    // Each combination takes seconds to compile: wide scalars have space alone.
+    if constexpr (std::is_floating_point_v<Scalar>) {
+      if (dimension == 2) return Equations<Scalar, 2>(in, dimension).answer(question.op);
+    }
+    return Equations<Scalar, 3>(in, dimension).answer(question.op);
+  }
+
+ private:
+  std::string name_;
+};
+
+}  // namespace tps::properties

@@ -1,0 +1,214 @@
+#include "properties/implementations/serve_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "properties/c_abi/tps_implementation.h"
+#include "properties/case.hpp"
+#include "reference/equations/timing_verdict.hpp"
+#include "reference/scene/number_text.hpp"
+
+namespace tps::properties {
+namespace {
+
+const tps_implementation& load_table(const std::string& path) {
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw std::runtime_error(fmt::format("cannot be loaded: {}", ::dlerror()));
+  using Getter = const tps_implementation* (*)();
+  const auto get = reinterpret_cast<Getter>(::dlsym(library, "tps_get_implementation"));
+  if (get == nullptr) throw std::runtime_error("has no function tps_get_implementation()");
+  const tps_implementation* table = get();
+  if (table == nullptr) throw std::runtime_error("tps_get_implementation() returned a null pointer");
+  if (table->version != TPS_IMPLEMENTATION_VERSION) {
+    throw std::runtime_error(fmt::format("has a table of version {}; this program knows version {}",
+                                         table->version, TPS_IMPLEMENTATION_VERSION));
+  }
+  return *table;
+}
+
+/// Not offered: a null pointer in the table.
+struct NotOffered {};
+/// The library says that there is no answer.
+struct Refused {};
+
+/// One request, answered through the table.
+class Request {
+ public:
+  Request(const tps_implementation& table, const Json& in) : table_(table), in_(in) {}
+
+  Json answer(const std::string& op) {
+    if (op == "block_time") return time(table_.block_time);
+    if (op == "tether_time") return time(table_.tether_time);
+    if (op == "order") return order();
+    if (op == "apply_impulse") return apply_impulse();
+    if (op == "collision_impulse") {
+      call(table_.collision_impulse, &read_pair(in_), m_A(), m_B(), number("c"), dp_.data());
+      return {{"dp", vector(dp_)}};
+    }
+    if (op == "revolution_impulse") {
+      call(table_.revolution_impulse, &read_pair(in_), m_A(), m_B(), number("c_revolve"),
+           number("theta_revolve_deg"), dp_.data());
+      return {{"dp", vector(dp_)}};
+    }
+    if (op == "tether_response") return tether_response();
+    if (op == "load") {
+      const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B");
+      call(table_.load, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), new_A_.data());
+      return {{"v_load", vector(new_A_)}};
+    }
+    if (op == "restitution_impulse") {
+      const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B"), dp = read_vector(in_, "dp");
+      call(table_.restitution_impulse, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), dp.data(),
+           dp_.data());
+      return {{"dp_AB", vector(dp_)}};
+    }
+    if (op == "group") return group();
+    throw NotOffered{};
+  }
+
+ private:
+  template <typename Function, typename... Arguments>
+  static void call(Function function, Arguments... arguments) {
+    if (function == nullptr) throw NotOffered{};
+    if (function(arguments...) != TPS_ANSWERED) throw Refused{};
+  }
+
+  static double read(const Json& value) {
+    const std::string& text = value.get_ref<const std::string&>();
+    return text == "inf" ? HUGE_VAL : parse_hex_float(text).value;
+  }
+  double number(const char* key) const { return read(in_.at(key)); }
+  double m_A() const { return number("m_A"); }
+  double m_B() const { return number("m_B"); }
+  Vec3 read_vector(const Json& from, const char* key) {
+    const Json& list = from.at(key);
+    dimension_ = static_cast<int>(list.size());
+    return {read(list.at(0)), read(list.at(1)), dimension_ > 2 ? read(list.at(2)) : 0};
+  }
+  void put(double (&to)[3], const Vec3& x) const { std::copy(x.begin(), x.end(), to); }
+  const tps_pair& read_pair(const Json& from) {
+    put(pair_.u_A, read_vector(from, "u_A"));
+    put(pair_.u_B, read_vector(from, "u_B"));
+    put(pair_.v_A, read_vector(from, "v_A"));
+    put(pair_.v_B, read_vector(from, "v_B"));
+    pair_.dimension = dimension_;
+    return pair_;
+  }
+
+  static Json hex(double x) { return std::isnan(x) ? Json("nan") : Json(write_hex_float(x)); }
+  Json vector(const Vec3& x) const {
+    Json list = Json::array();
+    for (int k = 0; k < dimension_; ++k) list.push_back(hex(x[static_cast<std::size_t>(k)]));
+    return list;
+  }
+
+  template <typename Function>
+  Json time(Function function) {
+    tps_time answer{};
+    call(function, &read_pair(in_), number("L"), &answer);
+    if (answer.verdict < TPS_STATIC || answer.verdict > TPS_TURNING)
+      return {{"verdict", fmt::format("number {}", static_cast<int>(answer.verdict))}};
+    return {{"verdict", std::string(name(static_cast<TimingVerdict>(answer.verdict)))},
+            {"t", answer.occurs != 0 ? hex(answer.t) : Json()}};
+  }
+
+  tps_query read_query(const Json& from) {
+    return {from.at("kind") == "tether" ? TPS_TETHER : TPS_BLOCK, read_pair(from), read(from.at("L"))};
+  }
+  Json order() {
+    const tps_query first = read_query(in_.at("first")), second = read_query(in_.at("second"));
+    tps_order answer{};
+    call(table_.order, &first, &second, &answer);
+    constexpr std::array<const char*, 4> names{"before", "after", "equal", "none"};
+    const auto n = static_cast<std::size_t>(answer);
+    return {{"order", n < names.size() ? names[n] : "a number that stands for no order"}};
+  }
+
+  Json apply_impulse() {
+    const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B"), dp = read_vector(in_, "dp");
+    call(table_.apply_impulse, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), dp.data(), new_A_.data(),
+         new_B_.data());
+    return {{"v_A", vector(new_A_)}, {"v_B", vector(new_B_)}};
+  }
+
+  Json tether_response() {
+    tps_response kind{};
+    call(table_.tether_response, &read_pair(in_), m_A(), m_B(), number("c_retract"), number("c_revolve"),
+         number("theta_revolve_deg"), &kind, dp_.data(), new_A_.data(), new_B_.data());
+    return {{"kind", kind == TPS_REVOLVE ? "revolve" : "retract"},
+            {"dp", vector(dp_)},
+            {"v_A", vector(new_A_)},
+            {"v_B", vector(new_B_)}};
+  }
+
+  Json group() {
+    std::vector<tps_body> bodies;
+    std::vector<tps_collision> collisions;
+    for (const Json& each : in_.at("bodies")) {
+      bodies.push_back({read(each.at("m")), {}, {}});
+      put(bodies.back().u, read_vector(each, "u"));
+      put(bodies.back().v, read_vector(each, "v"));
+    }
+    for (const Json& each : in_.at("collisions"))
+      collisions.push_back({each.at("i").get<int>(), each.at("j").get<int>(), read(each.at("c"))});
+    struct Row {
+      double v[3];
+    };
+    std::vector<Row> loaded(bodies.size()), restituted(bodies.size());
+    call(table_.group, dimension_, static_cast<int>(bodies.size()), bodies.data(),
+         static_cast<int>(collisions.size()), collisions.data(), &loaded.data()->v, &restituted.data()->v);
+    const auto rows = [this](const std::vector<Row>& velocities) {
+      Json list = Json::array();
+      for (const Row& row : velocities) list.push_back(vector({row.v[0], row.v[1], row.v[2]}));
+      return list;
+    };
+    return {{"loaded", rows(loaded)}, {"restituted", rows(restituted)}};
+  }
+
+  const tps_implementation& table_;
+  const Json& in_;
+  int dimension_ = 3;
+  tps_pair pair_{};
+  Vec3 dp_{}, new_A_{}, new_B_{};
+};
+
+Json reply_to(const tps_implementation& table, const Json& request) {
+  if (request.contains("hello")) return {{"name", table.name}, {"bits", table.bits}};
+  Json reply{{"seq", request.at("seq")}};
+  try {
+    reply["out"] = Request(table, request.at("in")).answer(request.at("op").get<std::string>());
+  } catch (const NotOffered&) {
+    reply["skip"] = "unknown_op";
+  } catch (const Refused&) {
+    reply["error"] = "refused";
+  }
+  return reply;
+}
+
+void write_line(const Json& reply) {
+  std::cout << reply.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+}  // namespace
+
+int serve_library(const std::string& path) {
+  std::string line;
+  try {
+    const tps_implementation& table = load_table(path);
+    while (std::getline(std::cin, line)) write_line(reply_to(table, Json::parse(line)));
+    return 0;
+  } catch (const std::runtime_error& error) {
+    write_line({{"error", error.what()}});
+    return 1;
+  }
+}
+
+}  // namespace tps::properties

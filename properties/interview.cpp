@@ -1,0 +1,217 @@
+#include "properties/interview.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "reference/scene/number_text.hpp"
+#include "reference/trace/hexfloat.hpp"
+
+namespace tps::properties {
+namespace {
+
+/// An answer that does not have what the operation's answers have.
+[[noreturn]] void no_answer(const std::string& op, const std::string& what) {
+  throw Unanswered{{Outcome::Kind::failed, fmt::format("the answer to {} {}", op, what)}};
+}
+
+std::optional<Wide> wide_from(const HexDigits& hex) {
+  constexpr std::size_t kDigitsOfWide = 125;
+  if (hex.digits.size() > kDigitsOfWide || std::abs(hex.exponent) > 1'000'000) return std::nullopt;
+  Wide value(0);
+  for (std::size_t k = 0; k < hex.digits.size(); k += 15) {
+    const std::string digits = hex.digits.substr(k, 15);
+    value = ldexp(value, 4 * static_cast<int>(digits.size())) + Wide(std::stoull(digits, nullptr, 16));
+  }
+  value = ldexp(value, static_cast<int>(hex.exponent));
+  return hex.negative ? Wide(-value) : value;
+}
+
+std::optional<Wide> wide_from(const Json& value) {
+  if (value.is_number()) return Wide(value.get<double>());
+  if (!value.is_string()) return std::nullopt;
+  const std::string& text = value.get_ref<const std::string&>();
+  if (text == "inf") return std::numeric_limits<Wide>::infinity();
+  if (text == "-inf") return -std::numeric_limits<Wide>::infinity();
+  const std::optional<HexDigits> hex = split_hex(text);
+  return hex ? wide_from(*hex) : std::nullopt;
+}
+
+Wide number_of(const std::string& op, const char* key, const Json& value) {
+  const std::optional<Wide> x = wide_from(value);
+  if (!x) no_answer(op, fmt::format("has {} = {}, which is no hexadecimal float", key, value.dump()));
+  return *x;
+}
+
+const Json& field(const std::string& op, const Json& out, const char* key) {
+  const auto found = out.find(key);
+  if (found == out.end()) no_answer(op, fmt::format("has no {}: {}", key, out.dump()));
+  return *found;
+}
+
+std::string word_of(const std::string& op, const Json& out, const char* key) {
+  const Json& value = field(op, out, key);
+  if (!value.is_string()) no_answer(op, fmt::format("has {} = {}, which is no word", key, value.dump()));
+  return value.get<std::string>();
+}
+
+WideVector vector_of(const std::string& op, const char* key, const Json& value, int dimension) {
+  if (!value.is_array() || static_cast<int>(value.size()) != dimension)
+    no_answer(op, fmt::format("has {} = {}, which is no vector of {}", key, value.dump(), dimension));
+  return {number_of(op, key, value[0]), number_of(op, key, value[1]),
+          dimension > 2 ? number_of(op, key, value[2]) : Wide(0)};
+}
+
+Json hex(double x) {
+  return write_hex_float(x);
+}
+
+}  // namespace
+
+Vec3 Interview::passed(const WideVector& x) const {
+  const Format format = subject_.format();
+  const auto one = [&](const Wide& component) { return format.rounded(static_cast<double>(component)); };
+  return {one(x.x), one(x.y), one(x.z)};
+}
+
+Json Interview::vector(const Vec3& x) const {
+  Json list = Json::array();
+  for (int k = 0; k < dimension_; ++k) list.push_back(hex(x[static_cast<std::size_t>(k)]));
+  return list;
+}
+
+Json Interview::pair_input(const PairState& pair) const {
+  return {{"u_A", vector(pair.u_A)},
+          {"u_B", vector(pair.u_B)},
+          {"v_A", vector(pair.v_A)},
+          {"v_B", vector(pair.v_B)}};
+}
+
+Json Interview::ask(const std::string& op, Json in) {
+  questions_.push_back({op, std::move(in)});
+  Answer answer = subject_.ask(questions_.back());
+  switch (answer.status) {
+    case Answer::Status::answered:
+      if (!answer.out.is_object()) no_answer(op, "is no object: " + answer.out.dump());
+      return std::move(answer.out);
+    case Answer::Status::skipped:
+      throw Unanswered{{Outcome::Kind::skipped, fmt::format("{}: {}", op, answer.reason)}};
+    case Answer::Status::refused:
+      throw Unanswered{{Outcome::Kind::outside, fmt::format("{}: {}", op, answer.reason)}};
+    default:
+      throw Unanswered{{Outcome::Kind::failed, fmt::format("{}: {}", op, answer.reason)}};
+  }
+}
+
+Wide Interview::distance(const PairState& pair, double dt) {
+  Json in = pair_input(pair);
+  in["dt"] = hex(dt);
+  return number_of("distance", "du", field("distance", ask("distance", in), "du"));
+}
+
+Time Interview::time(const LimitQuery& query) {
+  const char* op = query.kind == TimingKind::block ? "block_time" : "tether_time";
+  Json in = pair_input(query.pair);
+  in["L"] = hex(query.L);
+  const Json out = ask(op, in);
+  Time time{word_of(op, out, "verdict"), std::nullopt};
+  if (const auto t = out.find("t"); t != out.end() && !t->is_null()) time.t = number_of(op, "t", *t);
+  return time;
+}
+
+Time Interview::block_time(const PairState& pair, double L) {
+  return time({TimingKind::block, pair, L});
+}
+Time Interview::tether_time(const PairState& pair, double L) {
+  return time({TimingKind::tether, pair, L});
+}
+
+std::string Interview::order(const LimitQuery& first, const LimitQuery& second) {
+  const auto query = [this](const LimitQuery& q) {
+    Json in{{"kind", q.kind == TimingKind::block ? "block" : "tether"}};
+    in.update(pair_input(q.pair));
+    in["L"] = hex(q.L);
+    return in;
+  };
+  return word_of("order", ask("order", {{"first", query(first)}, {"second", query(second)}}), "order");
+}
+
+Velocities Interview::apply_impulse(const Masses& m, const Vec3& v_A, const Vec3& v_B, const Vec3& dp) {
+  const char* op = "apply_impulse";
+  const Json out = ask(
+      op,
+      {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}, {"dp", vector(dp)}});
+  return {vector_of(op, "v_A", field(op, out, "v_A"), dimension_),
+          vector_of(op, "v_B", field(op, out, "v_B"), dimension_)};
+}
+
+WideVector Interview::collision_impulse(const PairState& pair, const Masses& m, double c) {
+  const char* op = "collision_impulse";
+  Json in = pair_input(pair);
+  in.update({{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"c", hex(c)}});
+  return vector_of(op, "dp", field(op, ask(op, in), "dp"), dimension_);
+}
+
+WideVector Interview::revolution_impulse(const PairState& pair, const Masses& m, double c_revolve,
+                                         double theta) {
+  const char* op = "revolution_impulse";
+  Json in = pair_input(pair);
+  in.update({{"m_A", hex(m.A)},
+             {"m_B", hex(m.B)},
+             {"c_revolve", hex(c_revolve)},
+             {"theta_revolve_deg", hex(theta)}});
+  return vector_of(op, "dp", field(op, ask(op, in), "dp"), dimension_);
+}
+
+TetherAnswer Interview::tether_response(const PairState& pair, const Masses& m, double c_retract,
+                                        double c_revolve, double theta) {
+  const char* op = "tether_response";
+  Json in = pair_input(pair);
+  in.update({{"m_A", hex(m.A)},
+             {"m_B", hex(m.B)},
+             {"c_retract", hex(c_retract)},
+             {"c_revolve", hex(c_revolve)},
+             {"theta_revolve_deg", hex(theta)}});
+  const Json out = ask(op, in);
+  const auto result = [&](const char* key) { return vector_of(op, key, field(op, out, key), dimension_); };
+  return {word_of(op, out, "kind"), result("dp"), {result("v_A"), result("v_B")}};
+}
+
+WideVector Interview::load(const Masses& m, const Vec3& v_A, const Vec3& v_B) {
+  const char* op = "load";
+  const Json out =
+      ask(op, {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}});
+  return vector_of(op, "v_load", field(op, out, "v_load"), dimension_);
+}
+
+WideVector Interview::restitution_impulse(const Masses& m, const Vec3& v_A, const Vec3& v_B, const Vec3& dp) {
+  const char* op = "restitution_impulse";
+  const Json out = ask(
+      op,
+      {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}, {"dp", vector(dp)}});
+  return vector_of(op, "dp_AB", field(op, out, "dp_AB"), dimension_);
+}
+
+GroupVelocities Interview::group(const GroupCase& group) {
+  const char* op = "group";
+  Json in{{"bodies", Json::array()}, {"collisions", Json::array()}};
+  for (std::size_t n = 0; n < group.m.size(); ++n)
+    in["bodies"].push_back({{"m", hex(group.m[n])}, {"u", vector(group.u[n])}, {"v", vector(group.v[n])}});
+  for (const GroupCollision& c : group.collisions)
+    in["collisions"].push_back({{"i", c.i}, {"j", c.j}, {"limit", "inner"}, {"c", hex(c.c)}});
+  const Json out = ask(op, in);
+  const auto velocities = [&](const char* key) {
+    const Json& list = field(op, out, key);
+    if (!list.is_array() || list.size() != group.m.size())
+      no_answer(op, fmt::format("has {} = {}, which is no list of {} velocities", key, list.dump(),
+                                group.m.size()));
+    std::vector<WideVector> result;
+    for (const Json& v : list) result.push_back(vector_of(op, key, v, dimension_));
+    return result;
+  };
+  return {velocities("loaded"), velocities("restituted")};
+}
+
+}  // namespace tps::properties

@@ -1,0 +1,233 @@
+// tps properties
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "properties/explore/explore.hpp"
+#include "properties/explore/regressions.hpp"
+#include "properties/explore/report.hpp"
+#include "properties/implementations/program.hpp"
+#include "properties/implementations/reference.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/trace/output.hpp"
+#include "verify/cli/verbs.hpp"
+#include "verify/cli/write_result.hpp"
+
+namespace tps::cli {
+namespace {
+
+using namespace tps::properties;
+
+constexpr const char* kPropertiesFooter =
+    R"(A law is judged by the unit roundoff of the implementation: hello's "bits", the table's, or --bits.
+Exit codes: 0 every law held, 1 a law is broken, 4 the implementation crashed, hung or broke the
+protocol, 5 no law was met by any case, 130 interrupted.
+Examples: tps properties --minutes 5
+          tps properties --law 'Eq4Laws.*' -- tps serve
+          tps properties --library ./libmine.so -o broken.jsonl)";
+
+struct PropertiesArguments {
+  bool list = false;
+  std::vector<std::string> patterns;
+  std::uint64_t cases = 500;
+  double minutes = 0;
+  std::optional<std::uint64_t> seed;
+  std::uint64_t first = 0;
+  std::string scalar = "double";
+  std::string library;
+  int bits = 0;
+  double timeout = 5;
+  std::string known_answers;
+  std::string regressions;
+  std::vector<std::string> replayed;
+  std::string format = "text";
+  bool quiet = false;
+  std::vector<std::string> words;
+
+  bool is_foreign() const { return !library.empty() || !words.empty(); }
+};
+
+std::atomic<bool> exploration_interrupted{false};
+
+std::unique_ptr<Implementation> subject_of(const PropertiesArguments& a) {
+  if (!a.library.empty() && !a.words.empty())
+    throw CLI::ValidationError("--library and a command are two implementations; give one");
+  ProgramOptions options{std::chrono::milliseconds(static_cast<int>(a.timeout * 1000)), std::nullopt};
+  if (a.bits > 0) options.bits = a.bits;
+  if (!a.library.empty()) return shared_library(a.library, options);
+  if (!a.words.empty()) return command(a.words, options);
+  return reference(a.scalar);
+}
+
+Plan plan_of(const PropertiesArguments& a) {
+  Plan plan{laws_matching(a.patterns)};
+  if (plan.laws.empty()) {
+    throw CLI::ValidationError(fmt::format("no law matches {}; tps properties --list shows ids and numbers",
+                                           fmt::join(a.patterns, " ")));
+  }
+  if (a.seed) plan.seed = *a.seed;
+  if (!a.seed && a.minutes > 0) plan.seed = std::random_device()();
+  plan.first = a.first;
+  plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases;
+  return plan;
+}
+
+/// A line every few seconds.
+class RoundsOnStderr {
+ public:
+  explicit RoundsOnStderr(bool quiet) : quiet_(quiet) {}
+
+  void operator()(const Exploration& exploration) {
+    const auto now = std::chrono::steady_clock::now();
+    if (quiet_ || now < next_) return;
+    next_ = now + std::chrono::seconds(5);
+    fmt::print(stderr, "tps: {} laws to case {} of seed {}, {} cases held, {} broken\n",
+               exploration.laws.size(), exploration.next, exploration.plan.seed, exploration.held(),
+               exploration.findings().size());
+  }
+
+ private:
+  bool quiet_;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+};
+
+void append(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::app | std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+    throw OutputError(fmt::format("cannot append to {}; name another file with --regressions", path));
+}
+
+/// Findings as files: for people with other programs, and for our own tests.
+void keep(const PropertiesArguments& a, const Exploration& exploration) {
+  const std::vector<const Finding*> findings = exploration.findings();
+  if (findings.empty()) return;
+  const std::string known = known_answer_file(findings, exploration.plan.seed);
+  const std::string path = a.known_answers.empty() && a.is_foreign() ? "broken-laws.jsonl" : a.known_answers;
+  if (!path.empty() && !known.empty()) {
+    write_result(path, known);
+    fmt::print(stderr, "tps: known answers to the questions of broken laws: {}\n", path);
+  }
+  if (a.regressions.empty()) return;
+  for (const Finding* finding : findings)
+    append(a.regressions, regression_line(*finding, exploration.subject));
+  fmt::print(stderr, "tps: cases of broken laws: {}; tps properties --replay {} asks them again\n",
+             a.regressions, a.regressions);
+}
+
+int exit_code_of(const Exploration& exploration) {
+  if (exploration_interrupted) return kInterrupted;
+  int code = exploration.held() > 0 ? kDone : kUndecided;
+  for (const Finding* finding : exploration.findings()) {
+    if (finding->outcome.kind == properties::Outcome::Kind::failed) return kOtherProgram;
+    code = kViolation;
+  }
+  return code;
+}
+
+int explore_laws(const PropertiesArguments& a) {
+  const Plan plan = plan_of(a);
+  const auto subject = subject_of(a);
+  std::signal(SIGINT, [](int) { exploration_interrupted = true; });
+  std::signal(SIGTERM, [](int) { exploration_interrupted = true; });
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(a.minutes * 60);
+  const auto stop = [&] {
+    return exploration_interrupted || (a.minutes > 0 && std::chrono::steady_clock::now() > deadline);
+  };
+  if (!a.quiet && a.minutes > 0)
+    fmt::print(stderr, "tps: seed {}, from case {} of each law\n", plan.seed, plan.first);
+  const Exploration exploration = explore(*subject, plan, stop, RoundsOnStderr(a.quiet));
+  write_result("-", a.format == "json" ? exploration_json(exploration) : exploration_text(exploration));
+  keep(a, exploration);
+  return exit_code_of(exploration);
+}
+
+int replay(const PropertiesArguments& a) {
+  const auto subject = subject_of(a);
+  std::string text;
+  std::size_t held = 0, broken = 0, not_asked = 0;
+  bool failed = false;
+  for (const std::string& path : a.replayed) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError({{path, 0, "", "cannot be read; name regression files"}});
+    for (const Regression& regression : read_regressions(file, path)) {
+      if (!fits(regression.shrunk, subject->format())) {
+        ++not_asked;
+        continue;
+      }
+      const Examined found = examine(*regression.law, *subject, regression.shrunk);
+      if (!found.outcome.is_finding()) {
+        ++(found.outcome.kind == properties::Outcome::Kind::holds ? held : not_asked);
+        continue;
+      }
+      ++broken;
+      failed = failed || found.outcome.kind == properties::Outcome::Kind::failed;
+      text += finding_text(
+          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions}, {});
+    }
+  }
+  text +=
+      fmt::format("{}: {} cases hold, {} broken, {} not asked\n", subject->name(), held, broken, not_asked);
+  write_result("-", text);
+  if (broken > 0) return failed ? kOtherProgram : kViolation;
+  return held > 0 ? kDone : kUndecided;
+}
+
+int run_properties(const PropertiesArguments& a) {
+  if (a.list) {
+    const std::vector<const Law*> chosen = plan_of(a).laws;
+    write_result("-", a.format == "json" ? list_json(chosen) : list_text(chosen));
+    return kDone;
+  }
+  try {
+    return a.replayed.empty() ? explore_laws(a) : replay(a);
+  } catch (const ProgramError& error) {
+    fmt::print(stderr, "tps: {}\n", error.what());
+    return kOtherProgram;
+  }
+}
+
+}  // namespace
+
+void add_properties(CLI::App& app, int& exit_code) {
+  const auto a = std::make_shared<PropertiesArguments>();
+  CLI::App* verb = app.add_subcommand(
+      "properties", "Looks for cases in which an implementation breaks a law, and shrinks them.");
+  verb->add_flag("--list", a->list, "Lists the laws instead");
+  verb->add_option("--law", a->patterns, "Only laws of this id or number; * stands for anything")->take_all();
+  verb->add_option("--cases", a->cases, "Cases of each law")->capture_default_str();
+  verb->add_option("--minutes", a->minutes, "Instead of --cases: so long, with a seed of its own")
+      ->check(CLI::Range(0.0, 1e5));
+  verb->add_option("--seed", a->seed, "Which cases (default: always the same)");
+  verb->add_option("--first", a->first, "Number of the first case, to go on where another run ended");
+  std::vector<std::string> scalars = reference_names();
+  verb->add_option("--scalar", a->scalar, "The reference in this scalar, or its certified answers")
+      ->check(CLI::IsMember(scalars))
+      ->capture_default_str();
+  verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
+  verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)");
+  verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
+      ->check(CLI::Range(8, 400));
+  verb->add_option("--timeout", a->timeout, "Seconds for a reply")
+      ->check(CLI::Range(0.001, 3600.0))
+      ->capture_default_str();
+  verb->add_option("-o,--output", a->known_answers,
+                   "Where known answers to the questions of broken laws go (default of a command or library: "
+                   "broken-laws.jsonl)");
+  verb->add_option("--regressions", a->regressions, "Appends the cases of broken laws to this file")
+      ->take_last();
+  verb->add_option("--replay", a->replayed, "Asks the cases of such files again")->take_all();
+  verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
+  verb->add_flag("--quiet", a->quiet, "No progress");
+  verb->footer(kPropertiesFooter);
+  verb->callback([a, &exit_code] { exit_code = run_properties(*a); });
+}
+
+}  // namespace tps::cli
