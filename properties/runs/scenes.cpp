@@ -246,10 +246,17 @@ class Assembly {
   }
 
   void add_phase() {
-    if (!wanted_.changing_tethers || !tethering_ || !once_in(4)) return;
+    if (!wanted_.changing_tethers || !once_in(2)) return;
+    std::vector<PairLaw> changing;
+    for (const PairLaw& law : scene_.pairs) {
+      if (law.tethering && law.tethering->form.when != FormRule::When::permanent) changing.push_back(law);
+    }
+    if (changing.empty()) return;
+    const PairLaw& law = changing[*rc::gen::inRange<std::size_t>(0, changing.size())];
     const double from = *rc::gen::inRange(0, 4) / 4.0;
-    const double until = pick({1.5, 4.0, std::numeric_limits<double>::infinity()});
-    scene_.phases.push_back({from, until, 0, 0, form_rule(wanted_), break_rule(wanted_, unit_)});
+    const double until = from + pick({0.25, 1.0, std::numeric_limits<double>::infinity()});
+    scene_.phases.push_back(
+        {from, until, law.species_a, law.species_b, form_rule(wanted_), break_rule(wanted_, unit_)});
   }
 
   const Wanted wanted_;

@@ -40,12 +40,16 @@ bool parts_a_body(const Place& place) {
   return parts_root(place) && load_of(place) != nullptr && length(numbers(place.event.at("dp"))) > 0;
 }
 
+double grain(const Place& place) {
+  return since_start(place.trace, place.event.at("t")) * std::max(1e-9, 4096 * epsilon(place.trace));
+}
+
 Broken restitution_forgotten(Trace& trace, std::uint64_t number) {
   const auto followed = [](const Place& p) {
     if (!parts_a_body(p)) return false;
     const std::size_t end = behind_tree(p.trace, p.line, nodes_of(*load_of(p)));
     for (std::size_t n = end; n < p.trace.lines.size(); ++n) {
-      if (is_event(p.trace.lines[n])) return elapsed(p.event.at("t"), p.trace.lines[n].at("t")) > 0;
+      if (is_event(p.trace.lines[n])) return elapsed(p.event.at("t"), p.trace.lines[n].at("t")) > grain(p);
     }
     return false;
   };
@@ -123,10 +127,6 @@ void move_tree(Trace& trace, std::size_t root, const Retold& before, std::size_t
   for (std::size_t line = root; line < end; ++line) {
     if (is_restitution(trace.lines[line])) carry_event(trace, line, before, since);
   }
-}
-
-double grain(const Place& place) {
-  return since_start(place.trace, place.event.at("t")) * std::max(1e-9, 4096 * epsilon(place.trace));
 }
 
 Broken restitution_late(Trace& trace, std::uint64_t number) {

@@ -34,7 +34,7 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
   b.j = event.j;
   const auto place = [&](int n) {
     const InvolvedParticle<Number>* p = event.of(n);
-    if (p->position_before && !model.fixed(n)) return widened<W>(*p->position_before);
+    if (p->position_before) return widened<W>(*p->position_before);
     b.blur += model.flight(n).blur;
     return model.position(n, event.t);
   };
