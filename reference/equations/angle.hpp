@@ -28,13 +28,16 @@ inline long double pi<long double>() {
   return 3.14159265358979323846264338327950288L;
 }
 
-/// θ in degrees as a scalar holds it: the nearest number below 90, so that tan θ is finite; 89.999999 is 90
-/// in float.
+/// θ in degrees as a scalar holds it: the nearest number below 90, so that tan θ is finite (89.999999 is 90
+/// in float), and at least 256 ε, so that tan θ is felt beside 1 (1e−6 would not be in float).
 template <typename Scalar>
 Scalar angle_in_degrees(double theta_deg) {
   const Scalar right(90);
   const Scalar rounded = static_cast<Scalar>(theta_deg);
-  return rounded < right ? rounded : Scalar(right - right * std::numeric_limits<Scalar>::epsilon());
+  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  const Scalar least = Scalar(256) * epsilon;
+  if (rounded < least) return least;
+  return rounded < right ? rounded : Scalar(right - right * epsilon);
 }
 
 /// tan θ for an angle in degrees, 0 < θ < 90.

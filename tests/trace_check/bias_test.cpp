@@ -18,7 +18,7 @@ using check::Rule;
 
 constexpr std::uint64_t kEvents = 12'000;
 
-/// Exact timing, but one time in ten, chosen by its digits, is the next double in a direction.
+/// Exact timing, but three times in ten, chosen by their digits, it is the next double in a direction.
 class ShiftedTiming final : public CertifiedTiming {
  public:
   enum class Shift { later, earlier, either };
@@ -28,7 +28,7 @@ class ShiftedTiming final : public CertifiedTiming {
     CollisionTime<double> result = exact_.answer(query);
     if (!result.t || *result.t == 0) return result;
     const std::uint64_t scrambled = std::bit_cast<std::uint64_t>(*result.t) * 0x9e3779b97f4a7c15U;
-    if (scrambled >> 32U >= (std::uint64_t{1} << 32U) / 10) return result;
+    if (scrambled >> 32U >= (std::uint64_t{3} << 32U) / 10) return result;
     const bool later = shift_ == Shift::later || (shift_ == Shift::either && (scrambled & (1U << 20U)) != 0);
     result.t = std::nextafter(*result.t, later ? HUGE_VAL : 0.);
     return result;
@@ -61,13 +61,13 @@ std::uint64_t violated_but_bias(const CheckReport& report) {
   return report.violated() - report.of(Rule::bias).violated;
 }
 
-TEST(Bias, OfATenthOfAnUlpLaterIsSeenAlthoughEveryStepPasses) {
+TEST(Bias, OfThreeTenthsOfAnUlpLaterIsSeenAlthoughEveryStepPasses) {
   const CheckReport report = checked_with(ShiftedTiming::Shift::later);
   EXPECT_EQ(report.of(Rule::bias).violated, 1U) << report_text(report);
   EXPECT_EQ(violated_but_bias(report), 0U) << report_text(report);
 }
 
-TEST(Bias, OfATenthOfAnUlpEarlierIsSeenAlthoughEveryStepPasses) {
+TEST(Bias, OfThreeTenthsOfAnUlpEarlierIsSeenAlthoughEveryStepPasses) {
   const CheckReport report = checked_with(ShiftedTiming::Shift::earlier);
   EXPECT_EQ(report.of(Rule::bias).violated, 1U) << report_text(report);
   EXPECT_EQ(violated_but_bias(report), 0U) << report_text(report);

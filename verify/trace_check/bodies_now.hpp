@@ -27,7 +27,8 @@ struct BodiesNow {
 /// The bodies of i and j at an event: positions as recorded (where the trace has none, the model's),
 /// velocities as recorded before.
 template <typename Number>
-BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>& event) {
+BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>& event,
+                             const Work<Number>& time_error) {
   using W = Work<Number>;
   BodiesNow<Number> b;
   b.i = event.i;
@@ -35,7 +36,7 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
   const auto place = [&](int n) {
     const InvolvedParticle<Number>* p = event.of(n);
     if (p->position_before) return widened<W>(*p->position_before);
-    b.blur += model.flight(n).blur;
+    b.blur += model.flight(n).blur + time_error * length(widened<W>(model.flight(n).velocity));
     return model.position(n, event.t);
   };
   const auto velocity = [&](int n) {

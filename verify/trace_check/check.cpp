@@ -113,6 +113,7 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   CheckReport report;
   report.file = path == "-" ? "standard input" : path;
   report.title = head.scene.title;
+  for (char& c : report.title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   report.scalar = head.scalar;
   report.timing = timing_names()[static_cast<std::size_t>(head.timing)];
   report.minimal = head.minimal;

@@ -1,7 +1,7 @@
 // The check of one trace, line by line.
 #pragma once
 
-#include <set>
+#include <map>
 #include <tuple>
 
 #include "verify/trace_check/neighbours.hpp"
@@ -65,7 +65,8 @@ class Checker {
   Neighbours neighbours_;
   std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
   bool earliest_held_ = true, bounds_held_ = true;
-  std::set<std::tuple<int, int, std::uint32_t, std::uint32_t>> reported_;
+  /// Of flights about which something was found: pair and revisions.
+  std::map<std::tuple<int, int, std::uint32_t, std::uint32_t>, Told> told_;
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
   bool ended_ = false;

@@ -83,7 +83,8 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
   }
   const Context<Number>& c = context_;
-  const bool loads = bodies_ && is_collision(event.kind) && is_load(c, event, expected_) &&
+  const bool both_fixed = event.j >= 0 && model_.fixed(event.i) && model_.fixed(event.j);
+  const bool loads = bodies_ && !both_fixed && is_collision(event.kind) && is_load(c, event, expected_) &&
                      !model_.groups.together(event.i, event.j);
   if (event.kind == Kind::restitute) {
     follow_restitution(event);

@@ -89,14 +89,15 @@ void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
   const int b = std::max(i, j);
   const auto flight = std::tuple(a, b, model_.revisions[static_cast<std::size_t>(a)],
                                  model_.revisions[static_cast<std::size_t>(b)]);
-  if (!reported_.empty() && reported_.count(flight) != 0) return;
-  const Asked asked = judge_pair(context_, a, b, until, happening);
+  const auto known = told_.empty() ? told_.end() : told_.find(flight);
+  Told told = known == told_.end() ? Told{} : known->second;
+  const Asked asked = judge_pair(context_, a, b, until, happening, told);
   earliest_held_ = earliest_held_ && asked.earliest;
   bounds_held_ = bounds_held_ && asked.bounds;
   if (asked.earliest && asked.bounds) return;
   constexpr std::size_t kKept = 100'000;
-  if (reported_.size() > kKept) reported_.clear();
-  reported_.insert(flight);
+  if (told_.size() > kKept) told_.clear();
+  told_[flight] = told;
 }
 
 /// Everybody whom a particle can have met since the later of the two anchors, and its tethered partners.
@@ -183,9 +184,13 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   judge_bystanders(c, event);
   bodies_.reset();
   expected_ = {};
-  if (event.j >= 0) bodies_ = bodies_now(model_, event);
-  const bool apart = !bodies_ || bodies_->distance() > W(0);
-  tally_.demand(Rule::contact, apart, [&](Finding& f) {
+  if (event.j >= 0) bodies_ = bodies_now(model_, event, c.time_error(event.t));
+  const bool both_fixed = event.j >= 0 && model_.fixed(event.i) && model_.fixed(event.j);
+  tally_.demand(Rule::contact, !both_fixed, [&](Finding& f) {
+    f.message = fmt::format("{} have infinite masses; two of them never interact", c.pair(event.i, event.j));
+  });
+  const bool apart = !both_fixed && (!bodies_ || bodies_->distance() > W(0));
+  tally_.demand(Rule::contact, apart || both_fixed, [&](Finding& f) {
     f.message = fmt::format("{} are at one point, so that û is not defined", c.pair(event.i, event.j));
   });
   if (apart && is_collision(event.kind)) judge_collision(c, event);
@@ -233,7 +238,7 @@ void Checker<Number>::take(const EndLine<Number>& end) {
   judge_end(c, end);
   Happening<Number> happening;
   happening.t = end.t;
-  if (end.reason == "interrupted" || end.t < model_.now) return;
+  if (end.t < model_.now) return;
   earliest_held_ = bounds_held_ = true;
   EventLine<Number> nothing;
   nothing.kind = Kind::broken;
@@ -241,6 +246,13 @@ void Checker<Number>::take(const EndLine<Number>& end) {
   judge_parting(c, nothing);
   if (end.reason == "duration") judge_known_events(c, nothing, happening);
   if (end.reason == "no_more_events") {
+    const std::size_t waiting = model_.phase_changes.size() - model_.phases_done + model_.impulses.size() -
+                                model_.impulses_done + model_.groups.size();
+    tally_.demand(Rule::earliest, waiting == 0, [&](Finding& f) {
+      f.message = fmt::format(
+          "{} bodies, scheduled impulses or phase changes still wait, but no more events are claimed",
+          waiting);
+    });
     constexpr int kAtMost = 20'000;
     if (model_.size() > kAtMost) {
       tally_.not_judged(Rule::end, "that nothing more happens is not judged for more than 20000 particles");

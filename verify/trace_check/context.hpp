@@ -29,7 +29,8 @@ struct Context {
   W time_error(const Instant<Number>& t) const {
     using std::abs;
     const W size = abs(W(t.hi));
-    return minimal ? W(2) * u() * size : W(4) * u() * u() * size + model.precision.smallest;
+    return minimal ? W(2) * u() * (size + abs(W(model.scene.start_time)))
+                   : W(4) * u() * u() * size + model.precision.smallest;
   }
 
   /// "3-7", by ids.

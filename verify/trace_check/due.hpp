@@ -25,15 +25,27 @@ struct LimitAsked {
   bool responded = false;  ///< at the outer limit, and no velocity has changed since
 };
 
-/// The squared distance beyond the limit, q(t) = a t² + 2 h t + c.
+/// The squared distance beyond the limit, q(t) = |r + v t|² − L² = a t² + 2 h t + c.
+///
+/// Of a far pair the terms of q and of h² − a c cancel; q is evaluated where the pair then is, and the
+/// discriminant from afar as a L² − |r × v|², so that their errors stay those of L |r|.
 template <typename W>
 struct Quadratic {
+  Vec<W> r, v;
+  W L;
   W a, h, c;
   W q_error;  ///< |q| at a time computed as a root of it is at most this
   W h_error;
 
-  W at(const W& t) const { return c + t * (W(2) * h + a * t); }
-  W discriminant() const { return h * h - a * c; }
+  W at(const W& t) const {
+    const W distance = length(r + t * v);
+    return (distance - L) * (distance + L);
+  }
+  W discriminant() const {
+    if (h * h < a * L * L) return h * h - a * c;
+    const Vec<W> moment = cross(r, v);
+    return a * L * L - dot(moment, moment);
+  }
 };
 
 /// Bounds of docs/eq2.md for the stable formulas, 6 u (|r| + L) in distance; docs/check.md derives the one of
@@ -44,7 +56,13 @@ Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& 
   const W rr = dot(flight.r, flight.r);
   const W distance = length(flight.r);
   const W speed = length(flight.v);
-  Quadratic<W> q{dot(flight.v, flight.v), dot(flight.r, flight.v), (distance - L) * (distance + L), W(0),
+  Quadratic<W> q{flight.r,
+                 flight.v,
+                 L,
+                 dot(flight.v, flight.v),
+                 dot(flight.r, flight.v),
+                 (distance - L) * (distance + L),
+                 W(0),
                  W(0)};
   const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
   q.q_error = scale * (rounding + W(2) * (L + flight.blur) * flight.blur);
@@ -70,8 +88,8 @@ template <typename W>
 Due<W> inner_due(const Quadratic<W>& q) {
   using std::sqrt;
   const W zero(0);
-  const W widest = q.h * q.h - q.a * (q.c - q.q_error);
-  const W narrowest = q.h * q.h - q.a * (q.c + q.q_error);
+  const W widest = q.discriminant() + q.a * q.q_error;
+  const W narrowest = q.discriminant() - q.a * q.q_error;
   const bool may_be_inside = q.c <= q.q_error;
   const W closing = std::max(zero, W(-q.h)) + q.h_error;
   Due<W> due;
@@ -92,8 +110,8 @@ template <typename W>
 Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   using std::sqrt;
   const W zero(0);
-  const W early = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c + q.q_error))));
-  const W late = sqrt(std::max(zero, W(q.h * q.h - q.a * (q.c - q.q_error))));
+  const W early = sqrt(std::max(zero, W(q.discriminant() - q.a * q.q_error)));
+  const W late = sqrt(std::max(zero, W(q.discriminant() + q.a * q.q_error)));
   const auto larger_root = [&](const W& h, const W& root, const W& c) {
     return h > zero && c < zero ? W(-c / (h + root)) : W((root - h) / q.a);
   };

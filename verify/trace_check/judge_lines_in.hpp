@@ -21,7 +21,9 @@ class LineJudge {
   void judge(const LineSource::Text& line) {
     tally_.step = {report_.lines, 0, {}, {}};
     if (line.too_long) {
-      bad("", fmt::format("is longer than any line of this trace can be: \"{}…\"", line.text));
+      std::string beginning(line.text);
+      for (char& c : beginning) c = c >= ' ' && c <= '~' ? c : '?';
+      bad("", fmt::format("is longer than any line of this trace can be: \"{}…\"", beginning));
       return;
     }
     try {

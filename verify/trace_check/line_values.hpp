@@ -94,7 +94,9 @@ class LineValues {
     }
     const std::string_view hex = text(value, at);
     const std::optional<Instant<Number>> result = instant_of<Number>(hex, scene_.start_time);
-    if (!result) problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
+    if (!result || !(result->hi - result->hi == Number(0))) {
+      problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
+    }
     return *result;
   }
 

@@ -114,7 +114,6 @@ class Model {
     if (!fixed(j)) responded_[at(j)].insert({i, outer});
   }
   const std::set<std::pair<int, bool>>& responses(int i) const { return responded_[at(i)]; }
-  void clear_responses() { responded_.assign(flights.size(), {}); }
 
   /// Begins a new flight. A fixed particle keeps its own.
   void set_flight(int i, const Vec<Number>& position, const Vec<Number>& velocity, const Instant<Number>& t,

@@ -113,17 +113,16 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
   if (cell_ == 0 || !in_grid_[static_cast<std::size_t>(i)]) return;
   remove(i);
   Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  double speed_squared = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double place = std::floor(position[k] / cell_);
     anchor.cell[k] =
         static_cast<std::int32_t>(std::clamp(std::isnan(place) ? 0 : place, -kLastCell, kLastCell));
-    speed_squared += velocity[k] * velocity[k];
   }
   anchor.placed = true;
   ++anchor.number;
   cells_[anchor.cell].push_back(i);
-  anchor.expires = speed_squared > 0 ? now + slack_ / std::sqrt(speed_squared) : HUGE_VAL;
+  const double speed = std::hypot(velocity[0], velocity[1], velocity[2]);
+  anchor.expires = speed > 0 ? std::nextafter(now + slack_ / speed, -HUGE_VAL) : HUGE_VAL;
   if (std::isinf(anchor.expires)) return;
   expiries_.push({anchor.expires, i, anchor.number});
   if (expiries_.size() > 4 * anchors_.size()) forget_old_expiries();

@@ -1,6 +1,7 @@
 // The pair laws of a scene in the numbers of a trace.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -72,9 +73,10 @@ class RuleTable {
     rules.outer = stored<Number>(law.distance, precision);
     rules.c_retract = stored<Number>(law.c_retract, precision);
     rules.c_revolve = stored<Number>(law.c_revolve, precision);
+    // Angles that float cannot tell from 0° or 90° (docs/decisions.md, N42).
     rules.theta_deg = stored<Number>(law.theta_revolve_deg, precision);
-    // An angle that rounds to 90° is the float before it (docs/decisions.md, N42).
-    if (rules.theta_deg == Number(90)) rules.theta_deg = Number(std::nextafter(90.0F, 0.0F));
+    if (precision.is_float)
+      rules.theta_deg = std::clamp(rules.theta_deg, Number(0x1p-15), Number(std::nextafter(90.0F, 0.0F)));
     rules.form = law.form;
     rules.breaks = law.breaks;
     const W radian = W(atan_of_one()) / W(45);

@@ -26,12 +26,13 @@ bool CheckReport::inconclusive() const {
 }
 
 /// The mean is the least-squares estimate of b in y = b x + rounding. Five standard errors away from zero and
-/// beyond a twentieth of an ulp, of 10^4 residuals at least, it is a bias: chance has that once in two
-/// million sums.
+/// beyond the smallest that counts, of 10^4 residuals at least, it is a bias: chance has that once in two
+/// million sums. Correctly rounded times have none; stable and printed formulas have up to 0.13 u of their
+/// own.
 void Tally::close_sums() {
   constexpr std::uint64_t kEnough = 10'000;
   constexpr double kErrors = 5;
-  constexpr double kSmallest = 0.05;
+  const double kSmallest = report_.timing == "certified" ? 0.05 : 0.25;
   bool judged = false;
   for (const auto& [quantity, m] : moments_) {
     if (m.xx == 0) continue;
@@ -45,7 +46,7 @@ void Tally::close_sums() {
     step = {report_.lines, report_.events, {}, {}};
     demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_, [&](Finding& f) {
       f.message = "residuals of the " + quantity + " have a mean of " + std::to_string(mean) +
-                  " ulps with a standard error of " + std::to_string(error);
+                  " u with a standard error of " + std::to_string(error);
     });
   }
   if (!judged) not_judged(Rule::bias, "fewer than 10000 residuals");

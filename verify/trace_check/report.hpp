@@ -16,8 +16,7 @@ enum class Outcome { violated, undecided };
 /// A step with inputs that `tps eval` and `tps vectors` can replay: a case of one operation.
 struct Replay {
   std::string op;
-  std::string in;     ///< the operation's "in", as JSON
-  std::string claim;  ///< what the trace says instead
+  std::string in;  ///< the operation's "in", as JSON
 };
 
 /// One step that is not as it should be.

@@ -66,7 +66,8 @@ std::string report_text(const CheckReport& r) {
     fmt::format_to(out, "\nnothing is violated, but {} steps are undecided: more than one in a hundred\n",
                    r.undecided());
   } else {
-    fmt::format_to(out, "conforming: every step follows from the one before\n");
+    fmt::format_to(out, "conforming: every step follows from the one before{}\n",
+                   r.undecided() == 0 ? std::string() : fmt::format(", {} undecided aside", r.undecided()));
   }
   return text;
 }

@@ -115,8 +115,8 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   const W slack = c.time_error(event.t);
   const bool in_time =
       !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
-  const W ulps = W(6) * abs(q.at(dt)) / q.q_error;
-  const bool at_root = ulps <= W(6);
+  const W ulps = W(6) * c.scale() * abs(q.at(dt)) / q.q_error;
+  const bool at_root = ulps <= W(6) * c.scale();
   c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9),
                  6, describe);
   detail::add_time_residual(c, event, q, dt);

@@ -89,12 +89,28 @@ struct Asked {
   bool bounds = true;
 };
 
+/// What has been said already of a pair's present flight, one bit a limit and kind of finding, so that it is
+/// said once.
+struct Told {
+  enum Bit : unsigned { overdue = 1, undecided = 2, beyond = 4, of_outer = 8 };
+  unsigned bits = 0;
+
+  /// Whether it is new.
+  bool say(unsigned bit, bool outer) {
+    const unsigned mask = outer ? bit * of_outer : bit;
+    if ((bits & mask) != 0) return false;
+    bits |= mask;
+    return true;
+  }
+};
+
 /// Judges a pair at one limit over its flight until `until`.
 template <typename Number>
 Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int i, int j,
                   const LimitAsked<Work<Number>>& asked, bool is_asked, const Instant<Number>& until,
-                  const Happening<Number>& happening) {
+                  const Happening<Number>& happening, Told& told) {
   using W = Work<Number>;
+  using std::sqrt;
   const char* which = asked.outer ? "outer" : "inner";
   const Quadratic<W> q = quadratic_of(pair.relative(), asked.L, c.u(), c.timing, c.scale());
   const W dt = elapsed(pair.start, until);
@@ -105,7 +121,7 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
     f.replay = replay_of_time(pair, asked.outer, asked.L, c.model.scene.dimension);
   };
   const Waiting state = is_asked ? detail::waiting(c, pair, i, j, q, asked, dt, happening) : Waiting::not_due;
-  if (state == Waiting::overdue || state == Waiting::lost_a_tie) {
+  if ((state == Waiting::overdue || state == Waiting::lost_a_tie) && told.say(Told::overdue, asked.outer)) {
     result.earliest = false;
     c.tally.demand(Rule::earliest, false, [&](Finding& f) {
       about(f);
@@ -118,7 +134,7 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
                             shown(W(dt - expected.latest)), shown(expected.latest), c.shown_time(pair.start));
     });
   }
-  if (state == Waiting::undecided) {
+  if (state == Waiting::undecided && told.say(Told::undecided, asked.outer)) {
     result.earliest = false;
     c.tally.undecided(Rule::earliest, [&](Finding& f) {
       about(f);
@@ -128,15 +144,17 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
   }
   // A pair that has responded may creep: its relative velocity is known to rounding only.
   const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
-  const W unit =
-      q.q_error / W(6) + (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
+  const W unit = q.q_error / (W(6) * c.scale()) +
+                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
   const W excess = detail::excess_of(q, asked.outer, dt);
-  if (excess > W(6) * unit && !happening.forever) {
+  if (excess > W(6) * unit * c.scale() && !happening.forever && told.say(Told::beyond, asked.outer)) {
     result.bounds = false;
+    const W beyond_limit = asked.outer ? W(sqrt(asked.L * asked.L + excess) - asked.L)
+                                       : W(asked.L - sqrt(std::max(W(0), W(asked.L * asked.L - excess))));
     c.tally.within(Rule::bounds, as_double(W(excess / unit)), 6, [&](Finding& f) {
       about(f);
       f.message = fmt::format("{} comes {} beyond its {} limit {} in flight", c.pair(i, j),
-                              shown(W(excess / (W(2) * asked.L))), which, shown(asked.L));
+                              shown(beyond_limit), which, shown(asked.L));
       f.equation = "(1)";
     });
   }
@@ -166,7 +184,7 @@ bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>&
             std::fabs(b.velocity[k] * since_b);
   }
   const double blur = static_cast<double>(a.blur + b.blur);
-  if (!(blur == 0) || !(size < 1e100)) return false;
+  if (!(blur == 0) || !(size < 1e100) || !(size > 1e-140)) return false;
   const double before = rr - together * (2 * rv - together * vv);  // squared distance when the flight began
   const double turned = rv > 0 && rv < vv * together ? rr - rv * rv / vv : std::min(rr, before);
   constexpr double kShare = 0x1p-40;  // thousands of roundings
@@ -190,7 +208,7 @@ bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>&
 /// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening.
 template <typename Number>
 Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& until,
-                 const Happening<Number>& happening) {
+                 const Happening<Number>& happening, Told& told) {
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(i, j);
@@ -202,13 +220,13 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
   if (until < pair.start) return result;
   if (rules.blocks) {
     const bool is_asked = !model.responded(i, j, false) && !happening.is(i, j, false);
-    const Asked inner =
-        judge_limit(c, pair, i, j, LimitAsked<W>{false, W(rules.inner), false}, is_asked, until, happening);
+    const Asked inner = judge_limit(c, pair, i, j, LimitAsked<W>{false, W(rules.inner), false}, is_asked,
+                                    until, happening, told);
     result = inner;
   }
   if (tethered) {
     const LimitAsked<W> asked{true, W(rules.outer), model.responded(i, j, true)};
-    const Asked outer = judge_limit(c, pair, i, j, asked, !happening.is(i, j, true), until, happening);
+    const Asked outer = judge_limit(c, pair, i, j, asked, !happening.is(i, j, true), until, happening, told);
     result.earliest = result.earliest && outer.earliest;
     result.bounds = result.bounds && outer.bounds;
   }

@@ -48,7 +48,7 @@ bool is_late(const Context<Number>& c, const Instant<Number>& due_at, int its_ra
     }
   }
   if (late > error) return true;
-  return late == W(0) && error == W(0) && its_rank < rank_now;
+  return late == W(0) && its_rank < rank_now;
 }
 
 }  // namespace detail

@@ -87,7 +87,9 @@ class StateJudge {
     expect(
         s.particles.size() == model_.flights.size(),
         fmt::format("the state has {} particles, the scene {}", s.particles.size(), model_.flights.size()));
+    std::set<std::int32_t> seen;
     for (const StateData::Particle& p : s.particles) {
+      expect(seen.insert(p.id).second, fmt::format("particle {} stands twice in the state", p.id), {p.id});
       const Flight<Number>& flight = model_.flight(index(p.id));
       const Vec<Number> velocity = vector(p.velocity);
       expect(velocity == flight.velocity,
@@ -119,7 +121,8 @@ class StateJudge {
           responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
       }
     }
-    expect(std::set<std::array<std::int32_t, 2>>(s.tethers.begin(), s.tethers.end()) == tethers,
+    expect(s.tethers.size() == tethers.size() &&
+               std::set<std::array<std::int32_t, 2>>(s.tethers.begin(), s.tethers.end()) == tethers,
            fmt::format("the state has {} tethers, which are not the {} that the events left",
                        s.tethers.size(), tethers.size()));
     std::set<std::tuple<std::int32_t, std::int32_t, bool>> stated;
@@ -127,7 +130,7 @@ class StateJudge {
       stated.insert({std::min(r.first, r.second), std::max(r.first, r.second), r.outer});
     }
     expect(
-        stated == responded,
+        s.responded.size() == responded.size() && stated == responded,
         fmt::format("the state lists {} pairs that have responded, which are not the {} that the events left",
                     stated.size(), responded.size()));
   }
@@ -147,11 +150,8 @@ class StateJudge {
     expect(group.members == members,
            fmt::format("the members of the body of particle {} differ", members.front()), members);
     const Number mass = number(group.mass);
-    const bool infinite = body.inverse_mass == W(0);
     using std::abs;
-    const bool same_mass =
-        infinite ? !(mass - mass == Number(0))
-                 : abs(W(mass) * body.inverse_mass - W(1)) <= W(2 * body.loads) * c_.u() * c_.scale();
+    const bool same_mass = is_mass(mass, body.inverse_mass, body.loads);
     expect(same_mass,
            fmt::format("the mass of the body of particle {} is not that of its members", members.front()),
            members);
@@ -169,6 +169,13 @@ class StateJudge {
            members);
   }
 
+  /// Each of at most `sums` masses of a body was added rounded.
+  bool is_mass(const Number& mass, const W& inverse_mass, int sums) const {
+    using std::abs;
+    if (inverse_mass == W(0)) return !(mass - mass == Number(0));
+    return abs(W(mass) * inverse_mass - W(1)) <= W(2 * sums + 2) * c_.u() * c_.scale();
+  }
+
   /// Whether the nodes of a state are the loads below a root, each side where it was.
   bool is_tree(const StateData::Group& group, const LoadNode<Number>& root) const {
     std::vector<std::pair<std::size_t, const LoadNode<Number>*>> open = {{0, &root}};
@@ -179,6 +186,9 @@ class StateJudge {
       if (node.i != model_.id(load->i) || node.j != model_.id(load->j) || node.outer != load->outer)
         return false;
       if (!(vector(node.dp) == load->dp)) return false;
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (!is_mass(number(node.masses[side]), load->inverse_mass[side], model_.size())) return false;
+      }
       for (std::size_t side = 0; side < 2; ++side) {
         const StateData::Side& stated = node.sides[side];
         const LoadNode<Number>* below = load->below[side].get();
@@ -201,7 +211,12 @@ class StateJudge {
     expect(kinds == model_.kinds, "the counts of events by kind are not those of the events");
     std::map<std::array<int, 3>, std::uint32_t> draws;
     for (const StateData::Draws& d : s.draws) draws[{d.purpose, d.first, d.second}] = d.used;
-    expect(draws == model_.draws, "the numbers of draws are not those of the events");
+    expect(s.draws.size() == draws.size() && draws == model_.draws,
+           "the numbers of draws are not those of the events");
+    for (const auto& [effect, ignored] : s.progress) {
+      expect(effect == "phases" || effect == "scheduled_impulses",
+             fmt::format("\"{}\" is no effect with events known in advance", effect.substr(0, 60)));
+    }
     const auto done = [&](const char* effect) {
       const auto found = s.progress.find(effect);
       return found == s.progress.end() ? std::uint64_t{0} : found->second;
