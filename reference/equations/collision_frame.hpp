@@ -32,10 +32,10 @@ struct CollisionFrame {
 ///
 /// Departs from the paper's notation: it calls both the number v_n and the vector v_n û by the one name
 /// v_û. v_ŵ is a difference: where the motion is nearly along û its relative error is that of rounding times
-/// |v_AB|/|v_ŵ|, so an exactly head-on pair may show a v_ŵ of one rounding of v_AB. What it then has along û
-/// is taken off once more (Kahan, "twice is enough"): eq. (5) turns the pair from v_ŵ, and would let it go
-/// outwards if that were not across û. REQUIRES u_A ≠ u_B. Law: swapping A and B flips û and v_AB, keeps v_n,
-/// and flips v_û and v_ŵ, bitwise.
+/// |v_AB|/|v_ŵ|. What it then has along û is taken off once more, and where that is most of it there was
+/// nothing but rounding, and v_ŵ = 0 (Kahan and Parlett, "twice is enough"): eq. (5) turns the pair from v_ŵ,
+/// and would let a head-on pair go outwards along whatever rounding left. REQUIRES u_A ≠ u_B. Law: swapping A
+/// and B flips û and v_AB, keeps v_n, and flips v_û and v_ŵ, bitwise.
 template <typename Scalar, int D>
 CollisionFrame<Scalar, D> collision_frame(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                           const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B) {
@@ -44,7 +44,9 @@ CollisionFrame<Scalar, D> collision_frame(const Vector<Scalar, D>& u_A, const Ve
   const Scalar v_n = v_AB.dot(u_hat);
   const Vector<Scalar, D> v_u = v_n * u_hat;
   const Vector<Scalar, D> rest = v_AB - v_u;
-  const Vector<Scalar, D> v_w = rest - rest.dot(u_hat) * u_hat;
+  const Vector<Scalar, D> across = rest - rest.dot(u_hat) * u_hat;
+  const bool only_rounding = across.squaredNorm() < rest.squaredNorm() / Scalar(4);
+  const Vector<Scalar, D> v_w = only_rounding ? Vector<Scalar, D>(Vector<Scalar, D>::Zero()) : across;
   return {u_hat, v_AB, v_n, v_u, v_w};
 }
 

@@ -79,19 +79,23 @@ Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored
   return response;
 }
 
-/// Eq. (5): Δp = μ (v − v'), v' = c^(θ/π) |v| (cos θ ŵ − sin θ û). Nothing where there is no motion across.
+/// Eq. (5): Δp = μ (v − v'), v' = c^(θ/π) |v| (cos θ ŵ − sin θ û).
 template <typename Number>
-std::optional<Response<Work<Number>>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number>& rules,
-                                             const Work<Number>& u) {
+Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number>& rules,
+                              const Work<Number>& u) {
   using std::sqrt;
   using W = Work<Number>;
   const Vec<W> w = b.across();
   const W across = length(w);
-  if (across == W(0)) return std::nullopt;
   const W speed = length(b.v);
   const W cosine = W(1) / sqrt(W(1) + rules.tan_theta * rules.tan_theta);
   const W sine = rules.tan_theta * cosine;
   const W after = rules.speed_ratio * speed;
+  if (across == W(0)) {
+    // Real arithmetic retracts such a pair; rounding may turn it in any direction across the axis.
+    return Response<W>{b.mu * (b.v + W(after * sine) * b.axis()), b.mu * (speed * u + after * cosine / W(8)),
+                       b.mu / W(2) * (speed * speed - after * after)};
+  }
   const Vec<W> v_after = W(after * cosine / across) * w - W(after * sine) * b.axis();
   const W turned = b.blur / b.distance();
   return Response<W>{b.mu * (b.v - v_after), b.mu * speed * (speed / across) * (u + W(2) * turned),

@@ -79,9 +79,7 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
   if (event.kind == Kind::rebound) return {by_eq4(b, rules.c_rebound, false, c.u()), roundings, "(4)"};
   const bool suffices = W(rules.c_retract) * b.v_n() > rules.tan_theta * length(b.across());
   const bool revolves = event.kind == Kind::revolve || (event.kind == Kind::broken && !suffices);
-  if (revolves) {
-    if (const auto response = by_eq5(b, rules, c.u())) return {*response, roundings, "(5)"};
-  }
+  if (revolves) return {by_eq5(b, rules, c.u()), roundings, "(5)"};
   return {by_eq4(b, rules.c_retract, true, c.u()), roundings, "(4)"};
 }
 
