@@ -1,4 +1,4 @@
-// Eq. (4).
+// Eq. (4), docs/eq4.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"

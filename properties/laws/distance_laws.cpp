@@ -1,4 +1,4 @@
-// Eq. (1).
+// Eq. (1), docs/eq1.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"

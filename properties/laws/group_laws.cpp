@@ -1,4 +1,4 @@
-// Eqs. (6) and (7) nested: `group`.
+// Eqs. (6) and (7) nested: `group` (docs/protocol.md; the equations: docs/eq6.md, docs/eq7.md).
 #include <algorithm>
 #include <string>
 

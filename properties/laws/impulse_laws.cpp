@@ -1,4 +1,4 @@
-// Eq. (3).
+// Eq. (3), docs/eq3.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"

@@ -1,4 +1,4 @@
-// Eq. (2): what does not matter to a timing query.
+// Eq. (2): what does not matter to a timing query (docs/eq2.md).
 #include <algorithm>
 #include <numeric>
 

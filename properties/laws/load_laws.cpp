@@ -1,4 +1,4 @@
-// Eq. (6).
+// Eq. (6), docs/eq6.md.
 #include <algorithm>
 #include <array>
 

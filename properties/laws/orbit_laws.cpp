@@ -1,4 +1,4 @@
-// A tethered pair on its way around: eqs. (2), (5) and (3) in turn.
+// A tethered pair on its way around: eqs. (2), (5) and (3) in turn (docs/eq5.md).
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"

@@ -1,4 +1,4 @@
-// Eq. (7), with (6) and (3).
+// Eq. (7), with (6) and (3); docs/eq7.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"

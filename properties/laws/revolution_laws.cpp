@@ -1,4 +1,4 @@
-// Eq. (5).
+// Eq. (5), docs/eq5.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"

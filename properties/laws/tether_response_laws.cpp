@@ -1,5 +1,5 @@
 // The response at a tethering distance: eq. (4) where a retraction suffices, else eq. (5); applied by eq.
-// (3).
+// (3). docs/eq5.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"

@@ -1,5 +1,5 @@
 // What both timing queries of eq. (2) are decided by: the quadratic in half-b form, with each coefficient
-// computed so that rounding costs as little as the working precision allows.
+// computed so that rounding costs as little as the working precision allows (docs/eq2.md).
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Eq. (2), literally: the roots and the selection rule as the paper prints them, and the same roots selected
 // by approach (`--timing paper`). Kept for comparison; what this project computes with is in
-// eq2_collision_time.hpp, which also says what it mends.
+// eq2_collision_time.hpp, which also says what it mends (docs/eq2.md).
 #pragma once
 
 #include <cmath>

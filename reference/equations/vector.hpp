@@ -1,4 +1,4 @@
-// Vectors of the paper: columns of D numbers of any scalar type, D = 2 or 3; their length and direction.
+// Vectors of the paper: columns of D numbers of any scalar type, D = 2 or 3; length, direction (docs/eq1.md).
 #pragma once
 
 #include <Eigen/Core>
