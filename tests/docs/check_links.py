@@ -2,6 +2,7 @@
 
 In the Markdown files: relative links with their anchors, and paths in backquotes such as `tests/engine/escape_test.cpp`. In
 sources, schemas and scripts: pages named as docs/NAME.md, and sections of docs/semantics.md cited as "semantics §N".
+docs/map.md has a row for each folder of code.
 """
 
 import pathlib
@@ -56,7 +57,16 @@ def broken_citations(root, source, sections):
         yield f"{name} cites semantics §{number}; docs/semantics.md has the sections {', '.join(sorted(sections))}"
 
 
+def folders_without_a_row(root):
+    page = text_of(root / "docs" / "map.md")
+    for floor in ("reference", "verify", "properties"):
+        for folder in sorted(path.name for path in (root / floor).iterdir() if path.is_dir()):
+            if f"| `{floor}/{folder}/` |" not in page:
+                yield f"docs/map.md has no row for {floor}/{folder}/"
+
+
 def broken(root):
+    yield from folders_without_a_row(root)
     pages = [page for pattern in PAGES for page in sorted(root.glob(pattern))]
     sections = set(re.findall(r"^## §(\d+)", text_of(root / "docs" / "semantics.md"), re.M))
     for page in pages:
