@@ -61,13 +61,15 @@ def missing_pages(root, tables):
     sources += [(path, "laws") for path in (root / "properties" / "laws").glob("*_laws.cpp")]
     for path, row in sorted(sources):
         name = path.relative_to(root).as_posix()
-        pages = re.findall(r"docs/(eq\d+)\.md", first_comment(path))
+        pages = [page for page in re.findall(r"docs/(\w+)\.md", first_comment(path)) if page != "semantics"]
         stem = re.match(r"eq\d+(?=_)", path.stem)
         if not pages or (stem and stem[0] not in pages):
-            yield f"{name} does not name its page docs/{stem[0] if stem else 'eqN'}.md in its first comment"
+            yield f"{name} does not name its page docs/{stem[0] if stem else 'NAME'}.md in its first comment"
         for page in pages:
-            if name not in tables.get(page, {}).get(row, []):
+            if page in tables and name not in tables[page].get(row, []):
                 yield f"docs/{page}.md does not name {name} as {row}"
+        if pages and not any(path.name in text_of(root / "docs" / f"{page}.md") for page in pages):
+            yield f"none of the pages that {name} names names it: {', '.join(pages)}"
 
 
 def missing_in_readme(root, tables):
