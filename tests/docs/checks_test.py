@@ -22,6 +22,8 @@ FAULTS = [
      "reference/equations/eq6_load_velocity.hpp does not name its page docs/eq6.md"),
     (check_partners.missing_partners, "properties/laws/load_laws.cpp", "docs/eq6.md", "the page",
      "properties/laws/load_laws.cpp does not name its page"),
+    (check_partners.missing_partners, "properties/laws/order_laws.cpp", "docs/exact.md, docs/eq2.md", "docs/trace.md",
+     "none of the pages that properties/laws/order_laws.cpp names names it: trace"),
     (check_partners.missing_partners, "README.md", "](properties/laws/impulse_laws.cpp)", "](properties/laws/load_laws.cpp)",
      "README.md, row (3), laws: properties/laws/load_laws.cpp is not what docs/eq3.md names"),
     (check_partners.missing_partners, "README.md", "| (7) ", "| 7 ", "README.md has no row (7)"),
