@@ -1,8 +1,8 @@
 """Each equation has its header, laws, oracle, tests and page, and one finds the other.
 
-The stem of a header is that of its test. A page docs/eqN.md ends with a table of four rows, header, laws, oracle, tests, whose
-links lead to files of the right folder. Headers and laws name their page in their first comment. README.md has a row
-an equation, whose links are among those of its page.
+The stem of a header is that of its test. A page docs/eqN.md ends with a table of four rows, header, laws, oracle,
+tests, whose links lead to files of the right folder. Headers and laws name their page in their first comment. README.md
+has a row for each equation, whose links are among those of its page.
 """
 
 import pathlib
