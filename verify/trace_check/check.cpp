@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 #include "reference/run/run.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/version.hpp"
 #include "verify/protocol/line_reader.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 
@@ -51,6 +53,7 @@ struct Head {
   std::string scalar = "double";
   Timing timing = Timing::stable;
   bool minimal = false;
+  int semantics = 0;  ///< 0: none named
 };
 
 std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
@@ -82,6 +85,15 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   const auto scalar = scalar_kind(head.scalar);
   if (!scalar)
     fail(file, 1, fmt::format("/scalar \"{}\" is none of {}", head.scalar, fmt::join(scalar_names(), ", ")));
+  if (const JsonValue* semantics = root.find("semantics")) {
+    const double named = semantics->number() != nullptr ? semantics->number()->value : 0;
+    if (named < kOldestSemantics || named > kSemanticsVersion || named != std::floor(named)) {
+      fail(file, 1,
+           fmt::format("/semantics is not a version that this check knows: {} to {} (docs/decisions.md)",
+                       kOldestSemantics, kSemanticsVersion));
+    }
+    head.semantics = static_cast<int>(named);
+  }
   const std::string form = text_at(root, "form", "full");
   if (form != "full" && form != "minimal")
     fail(file, 1, fmt::format("/form \"{}\" is neither \"full\" nor \"minimal\"", form));
@@ -176,7 +188,7 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
       options.progress({bytes, report.events});
     return true;
   }};
-  const TraceFacts facts{head.scene, head.timing, head.minimal};
+  const TraceFacts facts{head.scene, head.timing, head.minimal, head.semantics};
   if (head.scalar == "float") {
     judge_lines<double>(source, facts, {0x1p-24L, 0x1p-149L, 24, true}, tally, report);
   } else if (head.scalar == "double") {

@@ -23,7 +23,8 @@ class Checker {
  public:
   using W = Work<Number>;
 
-  Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, Tally& tally);
+  Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, int semantics,
+          Tally& tally);
 
   Checker(const Checker&) = delete;
   Checker& operator=(const Checker&) = delete;

@@ -7,13 +7,14 @@ namespace tps::check {
 
 template <typename Number>
 Checker<Number>::Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal,
-                         Tally& tally)
+                         int semantics, Tally& tally)
     : model_(scene, precision),
       tally_(tally),
       timing_(timing),
       minimal_(minimal),
       context_{model_,   tally_, timing_,
-               minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }},
+               minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); },
+               semantics},
       neighbours_(scene),
       permanent_(scene.particles.size()) {
   std::vector<std::vector<int>> of_species(scene.species.size());
@@ -166,8 +167,10 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
     judge_load_conservation(c, event, *bodies_);
     return;
   }
-  judge_free_velocities(c, event, *bodies_, expected_);
-  if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_);
+  DirectedChange<W> directed;
+  judge_free_velocities(c, event, *bodies_, expected_, directed);
+  if (event.kind != Kind::broken) judge_direction(c, event, event.kind != Kind::rebound);
+  if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_, directed);
 }
 
 template <typename Number>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/version.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/model.hpp"
 #include "verify/trace_check/tally.hpp"
@@ -19,10 +20,14 @@ struct Context {
   bool minimal;
   certified::ExactTiming& exact;
   std::function<std::string(const Instant<Number>&)> shown_time;  ///< on the scene's clock
+  int semantics = 0;                                              ///< that the trace names; 0: none
 
   W u() const { return model.precision.u; }
   W scale() const { return W(tally.tolerance()); }
   bool certified() const { return timing == Timing::certified; }
+  /// Directed rounding of responses (D22): what semantics 2 does, and a trace that names none may do.
+  bool may_direct() const { return semantics == 0 || semantics >= kDirectedSemantics; }
+  bool must_direct() const { return !minimal && semantics >= kDirectedSemantics; }
 
   /// What times hi + lo may be off by: two roundings of the sum; of a minimal trace, the rounding of its
   /// times.

@@ -25,6 +25,7 @@ struct TraceFacts {
   const Scene& scene;
   Timing timing;
   bool minimal;
+  int semantics;  ///< that the trace names; 0: none
 };
 
 /// Judges every line. Counts lines, events and states in the report.

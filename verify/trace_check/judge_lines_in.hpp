@@ -16,7 +16,7 @@ class LineJudge {
         tally_(tally),
         report_(report),
         reading_(facts.scene, facts.minimal, precision.digits),
-        checker_(facts.scene, precision, facts.timing, facts.minimal, tally) {}
+        checker_(facts.scene, precision, facts.timing, facts.minimal, facts.semantics, tally) {}
 
   void judge(const LineSource::Text& line) {
     tally_.step = {report_.lines, 0, {}, {}};

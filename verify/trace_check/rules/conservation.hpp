@@ -17,7 +17,8 @@ struct Balance {
   double roundings;  ///< of it
   W energy_taken;    ///< lost for good, or stored
   W energy_error;
-  bool central;  ///< the impulse is along r
+  bool central;                  ///< the impulse is along r
+  DirectedChange<W> directed{};  ///< of velocities, beside rounding to nearest
 };
 
 /// Infinite masses take any momentum and no energy in their own frame; then only the other body is counted.
@@ -32,7 +33,8 @@ void judge_balance(const Context<Number>& c, const Balance<Work<Number>>& x, con
   const W m_j = wall_j ? zero : W(1) / x.inverse_j;
   const int dimension = c.model.scene.dimension;
   const W rounded = c.u() * (m_i * largest(x.after_i) + m_j * largest(x.after_j)) +
-                    W(2 * x.roundings) * x.dp_error + c.model.precision.smallest;
+                    W(2 * x.roundings) * x.dp_error + (m_i * x.directed.i + m_j * x.directed.j) / W(2) +
+                    c.model.precision.smallest;
   const Vec<W> gained_i = m_i * (x.after_i - x.before_i);
   const Vec<W> gained_j = m_j * (x.after_j - x.before_j);
   if (!wall_i && !wall_j) {
@@ -75,15 +77,16 @@ void judge_balance(const Context<Number>& c, const Balance<Work<Number>>& x, con
 /// A collision that is not grouped.
 template <typename Number>
 void judge_conservation(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                        const Expected<Work<Number>>& expected) {
+                        const Expected<Work<Number>>& expected,
+                        const DirectedChange<Work<Number>>& directed) {
   using W = Work<Number>;
   const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const W energy_error = W(2) * W(expected.roundings) * expected.response.error * length(b.v);
-  judge_balance(
-      c,
-      Balance<W>{b.v_i, b.v_j, after(b.i), after(b.j), b.inverse_i, b.inverse_j, b.r, expected.response.error,
-                 expected.roundings, expected.response.lost, energy_error, expected.equation == "(4)"},
-      c.pair(b.i, b.j));
+  judge_balance(c,
+                Balance<W>{b.v_i, b.v_j, after(b.i), after(b.j), b.inverse_i, b.inverse_j, b.r,
+                           expected.response.error, expected.roundings, expected.response.lost, energy_error,
+                           expected.equation == "(4)", directed},
+                c.pair(b.i, b.j));
 }
 
 /// A load takes ½ μ |v_AB|² out of the motion, whatever of it is stored or lost.

@@ -154,9 +154,13 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
     });
   }
   // Bodies have one velocity, but of a minimal trace that is what it says of each.
-  judge_velocity_after(c, event, event.i, b.v_i, dp, node.dp_error, node.inverse_mass[0], body->loads + 1);
+  const DirectedChange<W> directed = directed_change(
+      c, b, node.outer, {node.inverse_mass[0], node.inverse_mass[1]}, dp, node.dp_error, body->loads + 1);
+  judge_velocity_after(c, event, event.i, b.v_i, dp, node.dp_error, node.inverse_mass[0], body->loads + 1,
+                       directed.i);
   judge_velocity_after(c, event, event.j, b.v_j, W(-1) * dp, node.dp_error, node.inverse_mass[1],
-                       body->loads + 1);
+                       body->loads + 1, directed.j);
+  judge_direction(c, event, node.outer);
   const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const W mu = W(1) / (node.inverse_mass[0] + node.inverse_mass[1]);
   const W error = c.u() * length(dp) + node.dp_error;
@@ -164,7 +168,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   judge_balance(c,
                 Balance<W>{b.v_i, b.v_j, after(event.i), after(event.j), node.inverse_mass[0],
                            node.inverse_mass[1], b.r, error, roundings, W(-dot(dp, dp) / (W(2) * mu)),
-                           W(roundings) * error * length(dp) / mu, false},
+                           W(roundings) * error * length(dp) / mu, false, directed},
                 c.pair(event.i, event.j));
 }
 

@@ -4,6 +4,7 @@
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/directed.hpp"
 
 namespace tps::check {
 
@@ -99,19 +100,44 @@ void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const Bo
   });
 }
 
-/// Eq. (3), v + Δp/m, for every particle that an impulse moves: three roundings.
+/// One unit of eq. (3): of v' and, for each rounding of the mass, of Δp/m; and what Δp itself may be off by.
+template <typename Number>
+Work<Number> velocity_unit(const Context<Number>& c, const Vec<Work<Number>>& after,
+                           const Vec<Work<Number>>& impulse, const Work<Number>& impulse_error,
+                           const Work<Number>& inverse_mass, int loads) {
+  using W = Work<Number>;
+  return c.u() * (largest(after) + W(1 + loads) * inverse_mass * largest(impulse)) +
+         inverse_mass * impulse_error + c.model.precision.smallest;
+}
+
+/// What directed rounding may have changed of the velocities after an impulse by eq. (3), three units each.
+template <typename Number>
+DirectedChange<Work<Number>> directed_change(const Context<Number>& c, const BodiesNow<Number>& b, bool outer,
+                                             const std::array<Work<Number>, 2>& inverse_masses,
+                                             const Vec<Work<Number>>& dp, const Work<Number>& dp_error,
+                                             int loads) {
+  using W = Work<Number>;
+  const Vec<W> after_i = b.v_i + inverse_masses[0] * dp;
+  const Vec<W> after_j = b.v_j - inverse_masses[1] * dp;
+  return directed_change(c, b, outer, inverse_masses, after_i, after_j,
+                         W(3) * velocity_unit(c, after_i, dp, dp_error, inverse_masses[0], loads),
+                         W(3) * velocity_unit(c, after_j, dp, dp_error, inverse_masses[1], loads));
+}
+
+/// Eq. (3), v + Δp/m, for every particle that an impulse moves: three roundings, and what directed rounding
+/// may have changed.
 template <typename Number>
 void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& event, int particle,
                           const Vec<Work<Number>>& before, const Vec<Work<Number>>& impulse,
-                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads) {
+                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads,
+                          const Work<Number>& directed = Work<Number>(0)) {
   using W = Work<Number>;
   using std::abs;
   const InvolvedParticle<Number>* p = event.of(particle);
   if (p == nullptr || c.model.fixed(particle)) return;
   const Vec<W> expected = before + inverse_mass * impulse;
   const Vec<W> after = widened<W>(p->velocity_after);
-  const W unit = c.u() * (largest(after) + W(1 + loads) * inverse_mass * largest(impulse)) +
-                 inverse_mass * impulse_error + c.model.precision.smallest;
+  const W unit = velocity_unit(c, after, impulse, impulse_error, inverse_mass, loads) + directed / W(3);
   c.tally.within(Rule::impulse, as_double(W(largest(after - expected) / unit)), 3, [&](Finding& f) {
     f.particles = {c.model.id(particle)};
     f.message = fmt::format("particle {} leaves with velocity {}, but v + Δp/m is {}", c.model.id(particle),
@@ -131,13 +157,18 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
 /// The velocities after a collision that is not grouped: by eq. (3) with the recorded Δp.
 template <typename Number>
 void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& event,
-                           const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
+                           const BodiesNow<Number>& b, const Expected<Work<Number>>& expected,
+                           DirectedChange<Work<Number>>& directed) {
   using W = Work<Number>;
   const bool broken = event.kind == Kind::broken;
   const Vec<W> dp = broken ? Vec<W>{} : event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const W error = broken || event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  judge_velocity_after(c, event, b.i, b.v_i, dp, error, b.inverse_i, b.loads);
-  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, error, b.inverse_j, b.loads);
+  if (!broken) {
+    directed =
+        directed_change(c, b, event.kind != Kind::rebound, {b.inverse_i, b.inverse_j}, dp, error, b.loads);
+  }
+  judge_velocity_after(c, event, b.i, b.v_i, dp, error, b.inverse_i, b.loads, directed.i);
+  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, error, b.inverse_j, b.loads, directed.j);
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.
