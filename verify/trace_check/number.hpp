@@ -20,6 +20,8 @@ struct WorkOf<double> {
 template <typename Number>
 using Work = typename WorkOf<Number>::type;
 
+constexpr double kRightAngle = 1.5707963267948966;
+
 /// A position, velocity or impulse; planar ones have z = 0.
 template <typename T>
 struct Vec {

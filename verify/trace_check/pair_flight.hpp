@@ -59,7 +59,7 @@ PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j) {
   const Flight<Number>& b = model.flight(j);
   PairFlight<Number> pair;
   pair.start = a.since < b.since ? b.since : a.since;
-  pair.blur = a.blur + b.blur;
+  pair.blur = model.blur(i) + model.blur(j);
   pair.u_i = carried(a, pair.start, model.precision, pair.blur);
   pair.u_j = carried(b, pair.start, model.precision, pair.blur);
   pair.v_i = a.velocity;

@@ -21,6 +21,10 @@ std::uint64_t CheckReport::violated() const {
 std::uint64_t CheckReport::undecided() const {
   return total(rules, &RuleResult::undecided);
 }
+bool CheckReport::partial() const {
+  return std::ranges::any_of(
+      rules, [](const RuleResult& r) { return r.rule != Rule::bias && !r.not_judged.empty(); });
+}
 bool CheckReport::inconclusive() const {
   return conforming() && undecided() > std::max<std::uint64_t>(2, events / 100);
 }
@@ -48,6 +52,11 @@ void Tally::close_sums() {
       f.message = "residuals of the " + quantity + " have a mean of " + std::to_string(mean) +
                   " u with a standard error of " + std::to_string(error);
     });
+  }
+  for (const auto& [rule, where] : vague_) {
+    RuleResult& result = of(rule);
+    const std::string steps = result.vague == 1 ? "1 step" : fmt::format("{} steps", result.vague);
+    result.not_judged += fmt::format("{}{}, {}", result.not_judged.empty() ? "" : "; ", steps, where);
   }
   if (!judged) not_judged(Rule::bias, "fewer than 10000 residuals");
 }

@@ -29,6 +29,7 @@ Json finding_json(const Finding& f) {
               {"particles", f.particles},
               {"message", f.message}};
   if (!f.equation.empty()) result["equation"] = f.equation;
+  if (!f.reading.empty()) result["reading"] = f.reading;
   result["page"] = fmt::format("docs/check.md#{}", name(f.rule));
   if (f.off) result["off_ulps"] = *f.off;
   if (f.allowed) result["allowed_ulps"] = *f.allowed;
@@ -62,13 +63,15 @@ std::string report_json(const CheckReport& r) {
                     {"tolerance", r.tolerance},
                     {"conforming", r.conforming()},
                     {"inconclusive", r.inconclusive()},
+                    {"partial", r.partial()},
                     {"violated", r.violated()},
                     {"undecided", r.undecided()},
                     {"certified_comparisons", r.certified_comparisons},
                     {"seconds", r.seconds},
                     {"rules", rules},
                     {"findings", findings},
-                    {"residuals", sums}};
+                    {"residuals", sums},
+                    {"notes", r.notes}};
   return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

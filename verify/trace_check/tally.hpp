@@ -1,6 +1,8 @@
 // Where the rules put their verdicts: counts and margins for each rule, the first findings in full.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -71,6 +73,14 @@ class Tally {
 
   void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
 
+  /// A step that the rule cannot judge, since its margin is larger than what it judges. Said once, with the
+  /// first place and the number of steps.
+  template <typename Why>
+  void cannot_tell(Rule rule, Why why) {
+    if (of(rule).vague++ > 0) return;
+    vague_[rule] = fmt::format("first at line {}, {}", step.line, why());
+  }
+
   /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x.
   void residual(const char* of, double y, double x = 1) {
     if (!std::isfinite(x * y)) return;
@@ -116,6 +126,7 @@ class Tally {
   double tolerance_;
   std::uint64_t max_reports_;
   std::map<std::string, Moments> moments_;
+  std::map<Rule, std::string> vague_;
   std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(std::size_t{1} << 16U);
 };
 

@@ -145,7 +145,8 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
   // A pair that has responded may creep: its relative velocity is known to rounding only.
   const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
   const W unit = q.q_error / (W(6) * c.scale()) +
-                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
+                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt) +
+                 asked.L * c.time_error(until) * length(q.v) / W(3);
   const W excess = detail::excess_of(q, asked.outer, dt);
   if (excess > W(6) * unit * c.scale() && !happening.forever && told.say(Told::beyond, asked.outer)) {
     result.bounds = false;
@@ -168,6 +169,7 @@ namespace detail {
 template <typename Number>
 bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>& rules, bool tethered,
               const Instant<double>& until) {
+  if (model.eager) return false;
   const Flight<double>& a = model.rough_flight(i);
   const Flight<double>& b = model.rough_flight(j);
   const double since_a = (until.hi - a.since.hi) + (until.lo - a.since.lo);
