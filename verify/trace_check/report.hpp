@@ -53,6 +53,7 @@ struct ResidualSum {
   std::uint64_t count = 0;
   double mean = 0;  ///< in ulps
   double standard_error = 0;
+  double independent = 0;  ///< residuals, those of like events counted once
 };
 
 struct CheckReport {

@@ -46,8 +46,11 @@ std::string report_json(const CheckReport& r) {
   for (const Finding& finding : r.findings) findings.push_back(finding_json(finding));
   Json sums = Json::array();
   for (const ResidualSum& s : r.sums) {
-    sums.push_back(
-        {{"of", s.of}, {"count", s.count}, {"mean_ulps", s.mean}, {"standard_error_ulps", s.standard_error}});
+    sums.push_back({{"of", s.of},
+                    {"count", s.count},
+                    {"mean_ulps", s.mean},
+                    {"standard_error_ulps", s.standard_error},
+                    {"independent", s.independent}});
   }
   const Json result{{"trace", r.file},
                     {"title", r.title},

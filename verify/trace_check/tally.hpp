@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "verify/trace_check/report.hpp"
+#include "verify/trace_check/residuals.hpp"
 
 namespace tps::check {
 
@@ -81,14 +82,10 @@ class Tally {
     vague_[rule] = fmt::format("first at line {}, {}", step.line, why());
   }
 
-  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x.
-  void residual(const char* of, double y, double x = 1) {
-    if (!std::isfinite(x * y)) return;
-    Moments& m = moments_[of];
-    ++m.count;
-    m.xy += x * y;
-    m.xx += x * x;
-    m.yy += y * y;
+  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x. Like
+  /// events have nearly the same `size`.
+  void residual(const char* quantity, double size, double y, double x = 1) {
+    if (std::isfinite(x * y)) residuals_[quantity].add(y, x, size);
   }
   void close_sums();
 
@@ -100,11 +97,6 @@ class Tally {
   }
 
  private:
-  struct Moments {
-    std::uint64_t count = 0;
-    double xy = 0, xx = 0, yy = 0;
-  };
-
   RuleResult& of(Rule rule) { return report_.rules[static_cast<std::size_t>(rule)]; }
 
   template <typename Describe>
@@ -125,7 +117,7 @@ class Tally {
   CheckReport& report_;
   double tolerance_;
   std::uint64_t max_reports_;
-  std::map<std::string, Moments> moments_;
+  std::map<std::string, Residuals> residuals_;
   std::map<Rule, std::string> vague_;
   std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(std::size_t{1} << 16U);
 };

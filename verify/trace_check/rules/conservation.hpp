@@ -16,10 +16,11 @@ struct Balance {
   int loads = 0;        ///< masses that were added up rounded
   W exchanged;          ///< size of the impulse
   W momentum_error{0};  ///< beyond the rounding of the velocities: of a common velocity
-  Vec<W> v_after;       ///< v_AB' as it should be
-  W speed_error;        ///< of |v_AB'| times μ
-  W taken;              ///< energy, for good or stored
-  W energy_error{0};    ///< beyond those
+  DirectedSlack<W> directed{};
+  Vec<W> v_after;     ///< v_AB' as it should be
+  W speed_error;      ///< of |v_AB'| times μ
+  W taken;            ///< energy, for good or stored
+  W energy_error{0};  ///< beyond those
 };
 
 namespace detail {
@@ -27,12 +28,14 @@ namespace detail {
 /// How far a stored velocity may be from v + Δp/m, times the mass: three roundings, see
 /// judge_velocity_after.
 template <typename Number>
-Work<Number> momentum_rounding(const Context<Number>& c, const Vec<Work<Number>>& after,
-                               const Work<Number>& inverse_mass, const Balance<Work<Number>>& x) {
+Work<Number> momentum_rounding(const Context<Number>& c, bool of_i, const Balance<Work<Number>>& x) {
   using W = Work<Number>;
+  const W& inverse_mass = of_i ? x.inverse_i : x.inverse_j;
   if (inverse_mass == W(0)) return W(0);
-  return W(3) * (c.u() * (largest(after) / inverse_mass + W(3 + x.loads) / W(3) * x.exchanged) +
-                 c.model.precision.smallest * (W(1) + W(1) / inverse_mass));
+  const W after = largest(of_i ? x.after_i : x.after_j);
+  return W(3) * (c.u() * (after / inverse_mass + W(3 + x.loads) / W(3) * x.exchanged) +
+                 c.model.precision.smallest * (W(1) + W(1) / inverse_mass)) +
+         (of_i ? x.directed.of_i : x.directed.of_j) / inverse_mass;
 }
 
 }  // namespace detail
@@ -45,10 +48,10 @@ void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, co
   if (x.inverse_i == W(0) || x.inverse_j == W(0)) return;  // it takes any
   const Vec<W> drift =
       W(W(1) / x.inverse_i) * (x.after_i - x.before_i) + W(W(1) / x.inverse_j) * (x.after_j - x.before_j);
-  const W bound = detail::momentum_rounding(c, x.after_i, x.inverse_i, x) +
-                  detail::momentum_rounding(c, x.after_j, x.inverse_j, x) + x.momentum_error;
+  const W bound =
+      detail::momentum_rounding(c, true, x) + detail::momentum_rounding(c, false, x) + x.momentum_error;
   const W unit = bound / W(3);
-  c.tally.residual("momentum", as_double(W((drift[0] + drift[1] + drift[2]) / unit)));
+  c.tally.residual("momentum", as_double(x.exchanged), as_double(W((drift[0] + drift[1] + drift[2]) / unit)));
   c.tally.within(Rule::conservation, as_double(W(largest(drift) / unit)), 3, [&](Finding& f) {
     f.message = fmt::format("{} gain the momentum {} together", pair, shown(drift, c.model.scene.dimension));
     f.equation = "(3)";
@@ -67,13 +70,13 @@ void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, cons
   const Vec<W> v_after = x.after_j - x.after_i;
   const Vec<W> v_before = x.before_j - x.before_i;
   const W off = mu / W(2) * dot(W(1) * (v_after - x.v_after), v_after + x.v_after);
-  const W stored = detail::momentum_rounding(c, x.after_i, x.inverse_i, x) * x.inverse_i +
-                   detail::momentum_rounding(c, x.after_j, x.inverse_j, x) * x.inverse_j;
+  const W stored = detail::momentum_rounding(c, true, x) * x.inverse_i +
+                   detail::momentum_rounding(c, false, x) * x.inverse_j;
   const W speed_error = sqrt(W(c.model.scene.dimension)) * (stored + inverse * x.speed_error);
   const W bound = mu * (length(x.v_after) * speed_error + speed_error * speed_error / W(2)) + x.energy_error +
                   c.model.precision.smallest;
   const W unit = bound / W(3);
-  c.tally.residual("energy", as_double(W(off / unit)));
+  c.tally.residual("energy", as_double(x.exchanged), as_double(W(off / unit)));
   c.tally.within(Rule::conservation, as_double(W(abs(off) / unit)), 3, [&](Finding& f) {
     const W gained = mu / W(2) * (dot(v_after, v_after) - dot(v_before, v_before));
     const auto [found, expected] = told_apart(gained, W(-x.taken));
@@ -89,13 +92,12 @@ void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>
                             const BodiesNow<Number>& b, const std::string& pair) {
   using std::sqrt;
   using W = Work<Number>;
-  const bool of_i = x.inverse_j == W(0) ||
-                    (x.inverse_i != W(0) && detail::momentum_rounding(c, x.after_i, x.inverse_i, x) <
-                                                detail::momentum_rounding(c, x.after_j, x.inverse_j, x));
+  const bool of_i =
+      x.inverse_j == W(0) ||
+      (x.inverse_i != W(0) && detail::momentum_rounding(c, true, x) < detail::momentum_rounding(c, false, x));
   const Vec<W> gained = of_i ? W(W(1) / x.inverse_i) * (x.after_i - x.before_i)
                              : W(W(1) / x.inverse_j) * (x.after_j - x.before_j);
-  const W stored =
-      detail::momentum_rounding(c, of_i ? x.after_i : x.after_j, of_i ? x.inverse_i : x.inverse_j, x);
+  const W stored = detail::momentum_rounding(c, of_i, x);
   const W bound = b.distance() * (sqrt(W(c.model.scene.dimension)) * stored + W(4) * c.u() * length(gained) +
                                   std::min(W(1), detail::turn_of_axis(b)) * length(gained)) +
                   c.model.precision.smallest;
@@ -114,18 +116,22 @@ void judge_conservation(const Context<Number>& c, const EventLine<Number>& event
   using W = Work<Number>;
   const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const Response<W>& response = expected.response;
-  const Balance<W> balance{.before_i = b.v_i,
-                           .before_j = b.v_j,
-                           .after_i = after(b.i),
-                           .after_j = after(b.j),
-                           .inverse_i = b.inverse_i,
-                           .inverse_j = b.inverse_j,
-                           .loads = b.loads,
-                           .exchanged = event.dp ? largest(widened<W>(*event.dp)) : largest(response.dp),
-                           .v_after = response.after,
-                           .speed_error = W(expected.roundings) * response.speed_error,
-                           .taken = response.lost,
-                           .energy_error = response.lost_by_turning};
+  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : response.dp;
+  const W error = event.dp ? W(0) : W(expected.roundings) * response.error;
+  const Balance<W> balance{
+      .before_i = b.v_i,
+      .before_j = b.v_j,
+      .after_i = after(b.i),
+      .after_j = after(b.j),
+      .inverse_i = b.inverse_i,
+      .inverse_j = b.inverse_j,
+      .loads = b.loads,
+      .exchanged = largest(dp),
+      .directed = slack_of_parting(c, event, b, event.kind != Kind::rebound, dp, error, b.loads),
+      .v_after = response.after,
+      .speed_error = W(expected.roundings) * response.speed_error,
+      .taken = response.lost,
+      .energy_error = response.lost_by_turning};
   judge_momentum(c, balance, c.pair(b.i, b.j));
   judge_energy(c, balance, c.pair(b.i, b.j));
   if (expected.equation == "(4)") judge_angular_momentum(c, balance, b, c.pair(b.i, b.j));
@@ -158,19 +164,20 @@ void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& 
 /// The parting of two bodies gives back what their load stored.
 template <typename Number>
 void judge_parting_conservation(const Context<Number>& c, const EventLine<Number>& event,
-                                const BodiesNow<Number>& b, const LoadNode<Number>& node, int loads) {
+                                const BodiesNow<Number>& b, const LoadNode<Number>& node) {
   using W = Work<Number>;
   const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const Vec<W> dp = node.recorded ? widened<W>(node.dp) : node.dp_exact;
-  const W inverse = node.inverse_mass[0] + node.inverse_mass[1];
+  const W inverse = b.inverse_i + b.inverse_j;
   const Balance<W> balance{.before_i = b.v_i,
                            .before_j = b.v_j,
                            .after_i = after(event.i),
                            .after_j = after(event.j),
-                           .inverse_i = node.inverse_mass[0],
-                           .inverse_j = node.inverse_mass[1],
-                           .loads = loads,
+                           .inverse_i = b.inverse_i,
+                           .inverse_j = b.inverse_j,
+                           .loads = b.loads,
                            .exchanged = largest(dp),
+                           .directed = slack_of_parting(c, event, b, node.outer, dp, node.dp_error, b.loads),
                            .v_after = (b.v_j - b.v_i) - inverse * dp,
                            .speed_error = node.dp_error,
                            .taken = W(-dot(dp, dp) * inverse / W(2))};

@@ -5,6 +5,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
@@ -59,7 +60,7 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   if (t <= W(0)) return;
   const W ulp = c.u() * t;
   const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
-  c.tally.residual("time", as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
+  c.tally.residual("time", as_double(t), as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
 }
 
 }  // namespace detail
@@ -83,6 +84,7 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
           fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
                       c.pair(event.i, event.j));
       f.equation = "(2)";
+      f.reading = reading_of_repeat(c, event);
     });
     return;
   }
@@ -135,7 +137,11 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   if (in_time || !at_root)
     c.tally.within(Rule::contact, in_time && !at_root ? 0.0 : as_double(ulps), 6, describe);
   else
-    c.tally.demand(Rule::contact, false, describe);
+    c.tally.demand(Rule::contact, false, [&](Finding& f) {
+      describe(f);
+      // The smaller of two roots behind the start: where the pair has just been pulled, that is at once.
+      if (outer && (dt < expected.earliest || expected.must_be_none)) f.reading = readings::kLiteralRoot;
+    });
   detail::add_time_residual(c, event, q, dt);
 }
 

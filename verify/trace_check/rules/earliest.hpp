@@ -4,6 +4,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
@@ -125,6 +126,7 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
     result.earliest = false;
     c.tally.demand(Rule::earliest, false, [&](Finding& f) {
       about(f);
+      if (state == Waiting::lost_a_tie) f.reading = readings::kOrder;
       const Due<W> expected = due(q, asked);
       f.message =
           state == Waiting::lost_a_tie

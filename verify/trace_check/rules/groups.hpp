@@ -64,6 +64,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const bool loads = is_load(c, event, expected);
+  const bool with_wall = loads && (model.fixed(event.i) || model.fixed(event.j));
   const bool whole_bodies = loads || event.kind == Kind::scheduled_impulse;
   std::vector<int> moving;
   for (const int side : {event.i, event.j}) {
@@ -81,6 +82,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
     c.tally.demand(Rule::groups, event.members == moving, [&](Finding& f) {
       f.message =
           fmt::format("the body is listed as {}; its members are {}", names(event.members), names(moving));
+      if (with_wall) f.reading = readings::kWallInTree;
     });
   }
   if (whole_bodies && !c.minimal) judge_common_velocity(c, event, moving);
@@ -98,6 +100,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
     c.tally.demand(Rule::bystanders, false, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
       f.message = fmt::format("particle {} has no part in the event, but is listed", model.id(p.particle));
+      if (with_wall) f.reading = readings::kWallInTree;
     });
   }
   if (!collides || event.kind == Kind::broken) return;
@@ -164,6 +167,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
       f.message = fmt::format("the body of particle {} expires at {} and parts {} {}",
                               model.id(body->members.front()), c.shown_time(expiry), shown(W(abs(late))),
                               late > W(0) ? "later" : "earlier");
+      f.reading = reading_of_expiry(c, *body, event.t, late);
     });
   }
   const LoadNode<Number>& node = *body->root;
@@ -176,10 +180,13 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
     });
   }
   // Bodies have one velocity, but of a minimal trace that is what it says of each.
-  judge_velocity_after(c, event, event.i, b.v_i, dp, node.dp_error, node.inverse_mass[0], body->loads + 1);
-  judge_velocity_after(c, event, event.j, b.v_j, W(-1) * dp, node.dp_error, node.inverse_mass[1],
-                       body->loads + 1);
-  judge_parting_conservation(c, event, b, node, body->loads + 1);
+  BodiesNow<Number> sides = b;
+  sides.inverse_i = node.inverse_mass[0];
+  sides.inverse_j = node.inverse_mass[1];
+  sides.mu = W(1) / (sides.inverse_i + sides.inverse_j);
+  sides.loads = body->loads + 1;
+  judge_parted(c, event, sides, node.outer, dp, node.dp_error, sides.loads);
+  judge_parting_conservation(c, event, sides, node);
 }
 
 }  // namespace tps::check

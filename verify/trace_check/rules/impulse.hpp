@@ -5,6 +5,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/replay.hpp"
 #include "verify/trace_check/responses.hpp"
+#include "verify/trace_check/rules/directed.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
@@ -134,6 +135,34 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
   });
 }
 
+/// Of velocities by eq. (3) from Δp.
+template <typename Number>
+DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const EventLine<Number>& event,
+                                             const BodiesNow<Number>& b, bool outer,
+                                             const Vec<Work<Number>>& dp, const Work<Number>& error,
+                                             int loads) {
+  using W = Work<Number>;
+  const W inverse = b.inverse_i + b.inverse_j;
+  const W after_i = largest(widened<W>(event.of(b.i)->velocity_after));
+  const W after_j = largest(widened<W>(event.of(b.j)->velocity_after));
+  const W stored =
+      W(3) * c.u() * (after_i + after_j + W(3 + loads) / W(3) * inverse * largest(dp)) + inverse * error;
+  return directed_slack(c, b, outer, b.v - inverse * dp, stored, W(after_i + after_j));
+}
+
+/// v + Δp/m on both sides, each to its rounding and that of a direction.
+template <typename Number>
+void judge_parted(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
+                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads) {
+  using W = Work<Number>;
+  const DirectedSlack<W> slack = slack_of_parting(c, event, b, outer, dp, error, loads);
+  const auto moved = [](const W& by, const W& inverse) { return inverse > W(0) ? W(by / inverse) : W(0); };
+  judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + moved(slack.of_i, b.inverse_i)), b.inverse_i,
+                       loads);
+  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, W(error + moved(slack.of_j, b.inverse_j)),
+                       b.inverse_j, loads);
+}
+
 /// Without an impulse nothing is computed: velocities stay, to the last bit.
 template <typename Number>
 void judge_unchanged(const Context<Number>& c, const EventLine<Number>& event) {
@@ -161,8 +190,7 @@ void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& ev
   if (!event.dp && is_vague(c, b, expected)) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  judge_velocity_after(c, event, b.i, b.v_i, dp, error, b.inverse_i, b.loads);
-  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, error, b.inverse_j, b.loads);
+  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads);
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.
