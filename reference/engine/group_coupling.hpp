@@ -102,8 +102,10 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     const Node node = forest_.take_node(n);
     Record<Scalar, D> record = world.open_record("restitute", node.i, node.j);
     record.dp = node.dp;
-    const PairVelocities<Scalar, D> v = apply_impulse<Scalar, D>(
-        node.mass[0], node.mass[1], world.velocity(node.i), world.velocity(node.j), node.dp);
+    const PairVelocities<Scalar, D> v = directed_response<Scalar, D>(
+        world, node.i, node.j, node.limit, node.mass[0], node.mass[1],
+        apply_impulse<Scalar, D>(node.mass[0], node.mass[1], world.velocity(node.i), world.velocity(node.j),
+                                 node.dp));
     for (const int m : members_i) world.set_velocity(m, v.v_A);
     for (const int m : members_j) world.set_velocity(m, v.v_B);
     const Scalar mu = reduced_mass<Scalar>(node.mass[0], node.mass[1]);

@@ -68,6 +68,15 @@ struct Ledger {
     energy_bound += share * speeds;
   }
 
+  /// Adds what directed rounding did to a velocity: m |v' − v| to a momentum, and m |v' − v| (|v'| + |v|) to
+  /// an energy, speeds relative to V.
+  void add_change(const Scalar& mass, const Vector<Scalar, D>& before, const Vector<Scalar, D>& after,
+                  const Vector<Scalar, D>& V) {
+    const Scalar change = mass * norm<Scalar, D>(after - before);
+    momentum_bound += change;
+    energy_bound += change * (norm<Scalar, D>(before - V) + norm<Scalar, D>(after - V));
+  }
+
   static constexpr int kRoundings = 64;
 };
 

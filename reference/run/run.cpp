@@ -7,6 +7,7 @@
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/version.hpp"
 
 namespace tps {
 
@@ -81,6 +82,13 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 
 RunSummary resume_run(const std::string& path, const RunOptions& options) {
   const TraceHead head = read_trace_head(path);
+  if (head.semantics != kSemanticsVersion) {
+    throw InputError(
+        {{path, 1, "",
+          "is of semantics " + std::to_string(head.semantics) + " and would go on by " +
+              std::to_string(kSemanticsVersion) +
+              ", as no uninterrupted run does (docs/decisions.md); run its scene again from the start"}});
+  }
   RunOptions resumed = options;
   resumed.scalar = head.scalar;
   resumed.timing = head.timing;

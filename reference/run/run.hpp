@@ -118,6 +118,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options);
 /// What a trace or a checkpoint says before its first event.
 struct TraceHead {
   Scene scene;
+  int semantics = 0;
   ScalarKind scalar = ScalarKind::double_;
   Timing timing = Timing::stable;
   std::uint64_t state_every = 0;

@@ -86,6 +86,14 @@ TraceHead read_trace_head(const std::string& path) {
   const nlohmann::json head = head_of(path);
   try {
     TraceHead result;
+    const nlohmann::json& semantics = head.at("semantics");
+    if (semantics < kOldestSemantics || semantics > kSemanticsVersion || !semantics.is_number_integer()) {
+      fail(path, 1,
+           "is of semantics " + semantics.dump() + "; this program knows " +
+               std::to_string(kOldestSemantics) + " to " + std::to_string(kSemanticsVersion) +
+               " (docs/decisions.md)");
+    }
+    result.semantics = semantics;
     const std::optional<ScalarKind> scalar = scalar_kind(head.at("scalar").get<std::string>());
     if (!scalar)
       fail(path, 1, "names the scalar '" + head.at("scalar").get<std::string>() + "', which is unknown");

@@ -89,6 +89,8 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option("--tolerance", a->options.tolerance, "Multiplies every derived bound")
       ->check(CLI::Validator(positive_factor, "FACTOR"))
       ->capture_default_str();
+  verb->add_flag("--trust-draws", a->options.trust_draws,
+                 "Take recorded draws as given instead of asking the generator of the scene's seed for them");
   verb->add_option("--max-reports", a->options.max_reports, "Findings shown in full, for each rule")
       ->capture_default_str();
   verb->add_option("--format", a->format)

@@ -46,17 +46,43 @@ class Descriptor {
   int number_;
 };
 
+std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
+  const JsonValue* value = object.find(key);
+  if (value == nullptr) return otherwise;
+  return value->string() != nullptr ? *value->string() : "";
+}
+
 struct Head {
   Scene scene;
   std::string scalar = "double";
   Timing timing = Timing::stable;
   bool minimal = false;
+  int semantics = 0;      ///< 0: not said
+  std::string positions;  ///< "lazy", "eager" or empty: not said
+  bool own_draws = false;
 };
 
-std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
-  const JsonValue* value = object.find(key);
-  if (value == nullptr) return otherwise;
-  return value->string() != nullptr ? *value->string() : "";
+/// The version of the semantics that a trace names; what another one means is not known here.
+int semantics_of(const JsonValue& root, const std::string& file) {
+  const JsonValue* semantics = root.find("semantics");
+  if (semantics == nullptr) return 0;
+  const double version = semantics->number() == nullptr ? 0 : semantics->number()->value;
+  if (version != 1 && version != 2) {
+    fail(file, 1,
+         "/semantics is not 1 or 2, the versions of docs/decisions.md that this check knows; a trace of "
+         "another "
+         "program may leave it out");
+  }
+  return static_cast<int>(version);
+}
+
+std::string one_of(const JsonValue& root, const char* key, const std::vector<std::string>& allowed,
+                   const std::string& file) {
+  if (root.find(key) == nullptr) return "";
+  std::string text = text_at(root, key, "");
+  if (std::find(allowed.begin(), allowed.end(), text) == allowed.end())
+    fail(file, 1, fmt::format("/{} \"{}\" is none of {}", key, text.substr(0, 60), fmt::join(allowed, ", ")));
+  return text;
 }
 
 Head read_head(std::string_view text, const std::string& file, const CheckOptions& options) {
@@ -69,8 +95,8 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   if (version == nullptr || version->number() == nullptr || version->number()->value != 1) {
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
-  static const std::vector<std::string> known = {"trace",   "semantics", "version", "scalar",
-                                                 "options", "scene",     "form"};
+  static const std::vector<std::string> known = {"trace", "semantics", "version",   "scalar", "options",
+                                                 "scene", "form",      "positions", "draws"};
   for (const JsonMember& member : *root.object()) {
     if (std::find(known.begin(), known.end(), member.key) == known.end()) {
       fail(file, 1,
@@ -86,6 +112,11 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   if (form != "full" && form != "minimal")
     fail(file, 1, fmt::format("/form \"{}\" is neither \"full\" nor \"minimal\"", form));
   head.minimal = form == "minimal";
+  head.semantics = semantics_of(root, file);
+  head.positions = one_of(root, "positions", {"lazy", "eager"}, file);
+  // The page of semantics fixes the generator; who names neither may have another one.
+  const std::string draws = one_of(root, "draws", {"philox", "recorded"}, file);
+  head.own_draws = draws == "philox" || (draws.empty() && head.semantics > 0);
   if (const JsonValue* run_options = root.find("options")) {
     const std::string timing = text_at(*run_options, "timing", "stable");
     const auto kind = timing_named(timing);
@@ -124,11 +155,33 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   return report;
 }
 
-void say_what_minimal_leaves_out(Tally& tally) {
+void say_what_minimal_leaves_out(Tally& tally, const Head& head) {
   tally.not_judged(Rule::flight, "positions are judged where the trace has them");
   tally.not_judged(Rule::bystanders, "the trace has no velocities before events");
   tally.not_judged(Rule::states, "a minimal trace has no full states to judge");
-  tally.not_judged(Rule::groups, "stored impulses are the check's own");
+  if (head.scene.grouping) tally.not_judged(Rule::groups, "stored impulses are the check's own");
+}
+
+constexpr const char* kTakenAsEager =
+    "positions are taken to be advanced and rounded for everybody at every event; \"positions\":\"eager\" in "
+    "the "
+    "header says so";
+
+/// A trace that does not say how its positions are kept is judged both ways. @return whether the second is
+/// the better one: nothing is violated then.
+bool explains_more(const CheckReport& strict, const CheckReport& eager) {
+  return strict.violated() > 0 && eager.violated() == 0;
+}
+
+void judge_header(Tally& tally, const Head& head, const CheckOptions& options) {
+  tally.step.line = 1;
+  tally.pass(Rule::schema);
+  if (!options.scene.empty()) {
+    tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
+      f.message = fmt::format("the scene of the trace is not that of {}", options.scene);
+    });
+  }
+  if (head.minimal) say_what_minimal_leaves_out(tally, head);
 }
 
 }  // namespace
@@ -153,15 +206,21 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
 
   CheckReport report = start_report(path, head, options.tolerance);
   report.lines = 1;
+  CheckReport eager_report = report;
   Tally tally(report, options.tolerance, options.max_reports);
-  tally.step.line = 1;
-  tally.pass(Rule::schema);
-  if (!options.scene.empty()) {
-    tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
-      f.message = fmt::format("the scene of the trace is not that of {}", options.scene);
-    });
+  Tally eager_tally(eager_report, options.tolerance, options.max_reports);
+  const TraceFacts facts{.scene = head.scene,
+                         .timing = head.timing,
+                         .minimal = head.minimal,
+                         .semantics = head.semantics,
+                         .eager = head.positions == "eager",
+                         .own_draws = head.own_draws && !options.trust_draws};
+  std::vector<Judgement> ways = {{facts, tally, report}};
+  if (head.minimal && head.positions.empty()) {
+    ways.push_back({facts, eager_tally, eager_report});
+    ways.back().facts.eager = true;
   }
-  if (head.minimal) say_what_minimal_leaves_out(tally);
+  for (const Judgement& way : ways) judge_header(way.tally, head, options);
 
   std::uint64_t bytes = first.text.size();
   LineSource source{[&](LineSource::Text& line) {
@@ -176,16 +235,20 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
       options.progress({bytes, report.events});
     return true;
   }};
-  const TraceFacts facts{head.scene, head.timing, head.minimal};
   if (head.scalar == "float") {
-    judge_lines<double>(source, facts, {0x1p-24L, 0x1p-149L, 24, true}, tally, report);
+    judge_lines<double>(source, ways, {0x1p-24L, 0x1p-149L, 24, true});
   } else if (head.scalar == "double") {
-    judge_lines<double>(source, facts, {0x1p-53L, 0x1p-1074L, 53, false}, tally, report);
+    judge_lines<double>(source, ways, {0x1p-53L, 0x1p-1074L, 53, false});
   } else {
-    judge_wide_lines(source, facts, head.scalar, tally, report);
+    judge_wide_lines(source, ways, head.scalar);
+  }
+  for (const Judgement& way : ways) way.tally.close_sums();
+  if (ways.size() > 1 && explains_more(report, eager_report)) {
+    eager_report.lines = report.lines;
+    report = std::move(eager_report);
+    report.notes.emplace_back(kTakenAsEager);
   }
   report.interrupted = interrupted;
-  tally.close_sums();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

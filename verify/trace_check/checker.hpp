@@ -15,6 +15,7 @@
 #include "verify/trace_check/rules/scheduled.hpp"
 #include "verify/trace_check/rules/states.hpp"
 #include "verify/trace_check/rules/tethers.hpp"
+#include "verify/trace_check/trace_facts.hpp"
 
 namespace tps::check {
 
@@ -23,7 +24,7 @@ class Checker {
  public:
   using W = Work<Number>;
 
-  Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, Tally& tally);
+  Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally);
 
   Checker(const Checker&) = delete;
   Checker& operator=(const Checker&) = delete;

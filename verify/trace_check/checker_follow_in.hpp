@@ -18,10 +18,12 @@ void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const 
     position = *recorded;
   } else {
     const Flight<Number>& flight = model_.flight(i);
-    blur = flight.blur;
+    blur = model_.blur(i);
     position = carried(flight, event.t, model_.precision, blur);
     if (minimal_) {
-      blur += context_.time_error(event.t) * length(widened<W>(flight.velocity)) +
+      // The velocity changed at the time that `t` rounds: until then, or from then on, the other one acted.
+      const Vec<W> change = widened<W>(velocity) - widened<W>(flight.velocity);
+      blur += context_.time_error(event.t) * length(change) +
               W(2) * model_.precision.u * largest(widened<W>(position));
     }
   }

@@ -6,16 +6,18 @@
 namespace tps::check {
 
 template <typename Number>
-Checker<Number>::Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal,
-                         Tally& tally)
-    : model_(scene, precision),
+Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally)
+    : model_(facts.scene, precision),
       tally_(tally),
-      timing_(timing),
-      minimal_(minimal),
-      context_{model_,   tally_, timing_,
-               minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }},
-      neighbours_(scene),
-      permanent_(scene.particles.size()) {
+      timing_(facts.timing),
+      minimal_(facts.minimal),
+      context_{model_,          tally_,         timing_,
+               minimal_,        exact_,         [this](const Instant<Number>& t) { return shown_time(t); },
+               facts.semantics, facts.own_draws},
+      neighbours_(facts.scene),
+      permanent_(facts.scene.particles.size()) {
+  const Scene& scene = facts.scene;
+  model_.eager = facts.eager;
   std::vector<std::vector<int>> of_species(scene.species.size());
   for (int n = 0; n < model_.size(); ++n) {
     of_species[static_cast<std::size_t>(scene.particles[static_cast<std::size_t>(n)].species)].push_back(n);
@@ -167,6 +169,7 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
     return;
   }
   judge_free_velocities(c, event, *bodies_, expected_);
+  if (event.kind != Kind::broken) judge_direction(c, event, event.kind != Kind::rebound);
   if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_);
 }
 
@@ -176,6 +179,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   if (ended_) {
     tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
   }
+  model_.asked = event.t;
   const Happening<Number> happening = happening_of(event);
   judge_order(c, event);
   judge_parting(c, event);
@@ -235,6 +239,7 @@ void Checker<Number>::take(const EndLine<Number>& end) {
     return;
   }
   ended_ = true;
+  model_.asked = end.t;
   judge_end(c, end);
   Happening<Number> happening;
   happening.t = end.t;

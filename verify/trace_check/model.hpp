@@ -18,7 +18,8 @@ template <typename Number>
 struct Flight {
   Vec<Number> position, velocity;
   Instant<Number> since;
-  Work<Number> blur{0};  ///< how far the position may be off: where the trace does not record it
+  Work<Number> blur{0};      ///< how far the position may be off: where the trace does not record it
+  std::uint64_t events = 0;  ///< of the run when it began
 };
 
 template <typename Number>
@@ -53,6 +54,7 @@ class Model {
   const Scene& scene;
   const Precision<Number> precision;
   RuleTable<Number> rules;
+  bool eager = false;  ///< everybody is advanced, and rounded, at every event
   std::vector<Flight<Number>> flights;
   std::vector<std::uint32_t> revisions;  ///< of the particles: raised with every new flight
   std::vector<W> inverse_masses;         ///< 0 for an infinite mass
@@ -64,8 +66,8 @@ class Model {
   std::map<std::array<int, 3>, std::uint32_t> draws;
   std::map<std::string, std::uint64_t> kinds;
   std::uint64_t events = 0;
-  Instant<Number> now, last_event;
-  std::uint64_t progress_event = 0;  ///< the last one at which the clock's first part moved
+  Instant<Number> now, last_event, asked;  ///< asked: the time of the line that is being judged
+  std::uint64_t progress_event = 0;        ///< the last one at which the clock's first part moved
 
   int size() const { return static_cast<int>(flights.size()); }
   std::int32_t id(int i) const { return scene.particles[at(i)].id; }
@@ -105,6 +107,21 @@ class Model {
     return widened<W>(f.position) + dt * widened<W>(f.velocity);
   }
 
+  /// How far a particle may be from its straight line by the event that is being judged, `asked`.
+  ///
+  /// A run that advances everybody at every event rounds x and v dt each time, and t as well: n (u |x| + u
+  /// |t| |v|) + 2 u |v| (t − t₀) after n events, |x| at its ends, since the flight is straight.
+  W blur(int i) const {
+    const Flight<Number>& f = flight(i);
+    if (!eager || fixed(i)) return f.blur;
+    const W n(events + 1 - std::min(f.events, events));
+    const W speed = length(widened<W>(f.velocity));
+    const W dt = elapsed(f.since, asked);
+    const W farthest = std::max(length(widened<W>(f.position)), length(position(i, asked)));
+    const W times = W(scene.start_time < 0 ? -scene.start_time : scene.start_time) + W(asked.hi);
+    return f.blur + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
+  }
+
   /// Pairs that have responded at a limit and cannot be there again (semantics §1).
   bool responded(int i, int j, bool outer) const {
     return has_responded(i, j, outer) && has_responded(j, i, outer);
@@ -121,7 +138,7 @@ class Model {
     if (fixed(i)) return;
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
-    f = {position, velocity, t, blur};
+    f = {position, velocity, t, blur, events + 1};
     if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
     ++revisions[at(i)];
   }

@@ -56,6 +56,8 @@ std::string report_junit(const CheckReport& r) {
                               : rule.not_judged.empty() ? std::string("nothing of the kind happened")
                                                         : rule.not_judged;
       fmt::format_to(out, "><skipped message=\"{}\"/></testcase>\n", escaped(why));
+    } else if (!rule.not_judged.empty()) {
+      fmt::format_to(out, "><system-out>not judged: {}</system-out></testcase>\n", escaped(rule.not_judged));
     } else {
       cases += "/>\n";
     }

@@ -4,6 +4,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
@@ -125,6 +126,7 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
     result.earliest = false;
     c.tally.demand(Rule::earliest, false, [&](Finding& f) {
       about(f);
+      if (state == Waiting::lost_a_tie) f.reading = readings::kOrder;
       const Due<W> expected = due(q, asked);
       f.message =
           state == Waiting::lost_a_tie
@@ -145,7 +147,8 @@ Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int 
   // A pair that has responded may creep: its relative velocity is known to rounding only.
   const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
   const W unit = q.q_error / (W(6) * c.scale()) +
-                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
+                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt) +
+                 asked.L * c.time_error(until) * length(q.v) / W(3);
   const W excess = detail::excess_of(q, asked.outer, dt);
   if (excess > W(6) * unit * c.scale() && !happening.forever && told.say(Told::beyond, asked.outer)) {
     result.bounds = false;
@@ -168,6 +171,7 @@ namespace detail {
 template <typename Number>
 bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>& rules, bool tethered,
               const Instant<double>& until) {
+  if (model.eager) return false;
   const Flight<double>& a = model.rough_flight(i);
   const Flight<double>& b = model.rough_flight(j);
   const double since_a = (until.hi - a.since.hi) + (until.lo - a.since.lo);
