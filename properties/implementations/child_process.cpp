@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <thread>
 
 #include "properties/implementations/guard.hpp"
 #include "reference/process/interrupt.hpp"
@@ -214,9 +215,8 @@ ChildProcess::Line ChildProcess::ended() {
       (buffer_.empty() ? "" : fmt::format(" in the middle of a line: {}", shown(buffer_, kShown))) +
       errors_to_add();
   if (!has_ended_) {
-    const bool guarded = reports_ >= 0;
-    return {Line::Status::ended, (guarded ? "closed its output" : "ended, and its guard with it") + rest,
-            128};
+    if (reports_ >= 0) return {Line::Status::closed, "closed its output" + rest};
+    return {Line::Status::ended, "ended, and its guard with it" + rest, 128 + SIGKILL};
   }
   if (WIFEXITED(status_)) {
     const int code = WEXITSTATUS(status_);
@@ -257,6 +257,7 @@ ChildProcess::Line ChildProcess::read_to_end(std::chrono::milliseconds timeout) 
     Line line = read_line(left);
     if (line.status == Line::Status::too_long) buffer_.clear();
     if (line.status == Line::Status::ended || line.status == Line::Status::late) return line;
+    if (line.status == Line::Status::closed) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
 

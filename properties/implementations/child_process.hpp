@@ -18,8 +18,9 @@ class ChildProcess {
   struct Line {
     enum class Status {
       line,
-      ended,  ///< the process is gone; `text` says how
-      late,   ///< nothing came in time; `text` is what it wrote to its standard error, as words to add
+      ended,   ///< the process is gone; `text` says how
+      closed,  ///< it is there and has closed its output
+      late,    ///< nothing came in time; `text` is what it wrote to its standard error, as words to add
       too_long,
     };
     Status status;

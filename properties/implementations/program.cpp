@@ -28,6 +28,11 @@ std::string failure(const ChildProcess::Line& line, const char* what, std::chron
   return line.text;
 }
 
+/// These cost time each.
+bool waits_in_vain(const ChildProcess::Line& line) {
+  return line.status == Status::late || line.status == Status::closed;
+}
+
 class Program final : public Implementation {
  public:
   Program(std::string name, std::function<int()> body, ProgramOptions options)
@@ -63,7 +68,7 @@ class Program final : public Implementation {
     ++seq_;
     child_->write_line(request_line(seq_, question));
     const ChildProcess::Line line = child_->read_line(options_.timeout);
-    hangs_ += line.status == Status::late ? 1 : 0;
+    hangs_ += waits_in_vain(line) ? 1 : 0;
     if (line.status == Status::line) return read_reply(line.text, seq_);
     return {Answer::Status::failed, {}, failure(line, "reply", options_.timeout)};
   }
@@ -78,7 +83,7 @@ class Program final : public Implementation {
     }
     child_->write_line(R"({"hello":1})");
     const ChildProcess::Line line = child_->read_line(limit);
-    hangs_ += line.status == Status::late ? 1 : 0;
+    hangs_ += waits_in_vain(line) ? 1 : 0;
     const std::string problem =
         line.status == Status::line ? read_hello(line.text) : failure(line, "answer to hello", limit);
     if (!problem.empty()) child_.reset();

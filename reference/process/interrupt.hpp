@@ -12,7 +12,7 @@ namespace tps::interrupt {
 constexpr int kExitCode = 130;
 
 /// What somebody who has begun something to be ended in good order has for that.
-constexpr std::chrono::milliseconds kGrace{700};
+constexpr std::chrono::milliseconds kGrace{500};
 
 /// Thrown where work is given up because a signal came.
 class Interrupted : public std::exception {

@@ -98,6 +98,18 @@ void Output::fail(const char* action) const {
 
 namespace {
 
+/// What is replaced is the file, there or yet to be made, and not a link to it.
+void follow_links(std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system's own limit
+  std::error_code none;
+  for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, none)); ++links) {
+    errno = ELOOP;
+    if (links == kMostLinks) throw OutputError(message(path, "replace the file"));
+    const std::filesystem::path target = std::filesystem::read_symlink(path, none);
+    path = (std::filesystem::path(path).parent_path() / target).string();
+  }
+}
+
 bool exists(const std::string& path) {
   struct stat about = {};
   return ::stat(path.c_str(), &about) == 0;
@@ -113,9 +125,7 @@ bool is_there(int descriptor, const std::string& path) {
 }  // namespace
 
 ReplacedFile::ReplacedFile(const std::string& path) : path_(path) {
-  std::error_code none;
-  const std::filesystem::path target = std::filesystem::canonical(path, none);
-  if (!none) path_ = target;  // not a link to it
+  follow_links(path_);
   struct stat about = {};
   if (::stat(path_.c_str(), &about) != 0) return;
   if (!S_ISREG(about.st_mode))

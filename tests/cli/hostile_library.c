@@ -18,7 +18,7 @@ static int is(const char* mode) {
 static int recursion(int depth) {
   volatile char frame[10000];
   frame[0] = (char)depth;
-  return recursion(depth + 1) + frame[0];
+  return depth == 0x7fffffff ? 0 : recursion(depth + 1) + frame[0];
 }
 
 static tps_status collision_impulse(const tps_pair* pair, double m_A, double m_B, double c, double dp[3]) {

@@ -1,5 +1,6 @@
 """Programs and libraries that crash, hang, flood, fork and hide: each is told from the others, exit code 4, and nothing of
 it is left. Arguments: the program, the folder with hostile_library.so, [--only MODE]."""
+import os
 import re
 import sys
 import tempfile
@@ -94,7 +95,7 @@ LIBRARIES = {
 
 
 def main():
-    tps, folder = sys.argv[1:3]
+    tps, folder = (os.path.abspath(path) for path in sys.argv[1:3])
     only = sys.argv[4] if len(sys.argv) > 4 else None
     failures = processes.Failures()
     failures.expect(set(PROGRAMS) == set(hostile_program.MODES), "every mode of hostile_program.py is tried")

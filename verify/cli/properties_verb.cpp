@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -141,6 +142,11 @@ int exit_code_of(const Exploration& exploration) {
   return code;
 }
 
+void say_given_up(const Implementation& subject) {
+  const std::string why = subject.given_up();
+  if (!why.empty()) say("tps: {}: {}; what follows was not asked\n", subject.name(), why);
+}
+
 int explore_laws(const PropertiesArguments& a) {
   const Plan plan = plan_of(a);
   const auto subject = subject_of(a);
@@ -153,54 +159,55 @@ int explore_laws(const PropertiesArguments& a) {
   const Exploration exploration = explore(*subject, plan, stop, RoundsOnStderr(a.quiet));
   write_result("-", a.format == "json" ? exploration_json(exploration) : exploration_text(exploration));
   keep(a, exploration);
-  if (const std::string why = subject->given_up(); !why.empty())
-    say("tps: {}: {}; the laws were not asked to the end\n", subject->name(), why);
+  say_given_up(*subject);
   return exit_code_of(exploration);
 }
 
-int replay(const PropertiesArguments& a) {
-  const auto subject = subject_of(a);
-  std::string text;
-  std::size_t held = 0, broken = 0, not_asked = 0;
-  bool failed = false;
-  for (const std::string& path : a.replayed) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError({{path, 0, "", "cannot be read; name regression files"}});
-    for (const Regression& regression : read_regressions(file, path)) {
-      if (!fits(regression.shrunk, subject->format())) {
-        ++not_asked;
-        continue;
-      }
-      const Examined found = examine(*regression.law, *subject, regression.shrunk);
-      if (!found.outcome.is_finding()) {
-        ++(found.outcome.kind == properties::Outcome::Kind::holds ? held : not_asked);
-        continue;
-      }
-      ++broken;
-      failed = failed || found.outcome.kind == properties::Outcome::Kind::failed;
-      text += finding_text(
-          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions}, {});
+void replay_file(const std::string& path, Implementation& subject, Replay& replay) {
+  std::ifstream file(path, std::ios::binary);
+  std::error_code unknown;
+  if (!file || std::filesystem::is_directory(path, unknown))
+    throw InputError({{path, 0, "", "cannot be read; name regression files"}});
+  for (const Regression& regression : read_regressions(file, path)) {
+    if (!fits(regression.shrunk, subject.format()) || !subject.given_up().empty()) {
+      ++replay.not_asked;
+      continue;
+    }
+    const Examined found = examine(*regression.law, subject, regression.shrunk);
+    if (found.outcome.is_finding()) {
+      replay.findings.push_back(
+          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions});
+    } else {
+      ++(found.outcome.kind == properties::Outcome::Kind::holds ? replay.held : replay.not_asked);
     }
   }
-  text +=
-      fmt::format("{}: {} cases hold, {} broken, {} not asked\n", subject->name(), held, broken, not_asked);
-  write_result("-", text);
-  if (broken > 0) return failed ? kOtherProgram : kViolation;
-  return held > 0 ? kDone : kUndecided;
+}
+
+int replay_cases(const PropertiesArguments& a) {
+  const auto subject = subject_of(a);
+  Replay replay{subject->name(), 0, 0, {}};
+  for (const std::string& path : a.replayed) replay_file(path, *subject, replay);
+  write_result("-", a.format == "json" ? replay_json(replay) : replay_text(replay));
+  say_given_up(*subject);
+  for (const Finding& finding : replay.findings)
+    if (finding.outcome.kind == properties::Outcome::Kind::failed) return kOtherProgram;
+  if (!replay.findings.empty()) return kViolation;
+  return replay.held > 0 ? kDone : kUndecided;
 }
 
 int run_properties(const PropertiesArguments& a, Dashes dashes) {
+  if (a.words.empty() ? dashes == Dashes::there : a.words[0].empty()) {
+    throw CLI::ValidationError(
+        "nothing stands behind --; name a command there, or leave -- out to ask the reference");
+  }
   if (a.list) {
     const std::vector<const Law*> chosen = plan_of(a).laws;
     write_result("-", a.format == "json" ? list_json(chosen) : list_text(chosen));
     return kDone;
   }
-  if (a.words.empty() ? dashes == Dashes::there : a.words[0].empty())
-    throw CLI::ValidationError(
-        "nothing stands behind --; name a command there, or leave -- out to ask the reference");
   require_distinct_files(a);
   try {
-    return a.replayed.empty() ? explore_laws(a) : replay(a);
+    return a.replayed.empty() ? explore_laws(a) : replay_cases(a);
   } catch (const ProgramError& error) {
     say("tps: {}\n", error.what());
     return kOtherProgram;
