@@ -4,6 +4,7 @@
 
 #include "properties/classify.hpp"
 #include "properties/interview.hpp"
+#include "reference/process/interrupt.hpp"
 
 namespace tps::properties {
 namespace {
@@ -31,6 +32,7 @@ void shrink(const Law& law, Implementation& subject, rc::Seq<rc::Shrinkable<Case
   const Outcome::Kind kind = finding.outcome.kind;
   int left = kind == Outcome::Kind::failed ? kMostFailedShrinksTried : kMostShrinksTried;
   for (auto next = shrinks.next(); next && left > 0; next = shrinks.next(), --left) {
+    if (interrupt::requested() || !subject.given_up().empty()) return;
     const Case candidate = next->value();
     Examined found = examine(law, subject, candidate);
     if (found.outcome.kind != kind) continue;
@@ -63,7 +65,7 @@ std::optional<Finding> check_law(const Law& law, Implementation& subject, const 
                                  const std::function<bool()>& stop) {
   const Format format = subject.format();
   for (std::uint64_t number = extent.first; number < extent.first + extent.count; ++number) {
-    if (stop()) break;
+    if (stop() || !subject.given_up().empty()) break;
     const rc::Shrinkable<Case> drawn = draw(law, format, extent.seed, number);
     const Case c = drawn.value();
     Examined found = examine(law, subject, c);
@@ -82,7 +84,11 @@ std::optional<Finding> check_law(const Law& law, Implementation& subject, const 
         return std::nullopt;  // an operation that is not offered will not be offered for the next case
       default:
         Finding finding{&law, number, c, c, std::move(found.outcome), std::move(found.questions)};
-        shrink(law, subject, drawn.shrinks(), finding);
+        try {
+          shrink(law, subject, drawn.shrinks(), finding);
+        } catch (const interrupt::Interrupted&) {
+          // as far as it got
+        }
         return finding;
     }
   }

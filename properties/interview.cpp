@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "reference/process/interrupt.hpp"
 #include "reference/scene/number_text.hpp"
 #include "reference/trace/hexfloat.hpp"
 
@@ -90,6 +91,7 @@ Json Interview::pair_input(const PairState& pair) const {
 }
 
 Json Interview::ask(const std::string& op, Json in) {
+  interrupt::check();
   questions_.push_back({op, std::move(in)});
   Answer answer = subject_.ask(questions_.back());
   switch (answer.status) {

@@ -34,7 +34,8 @@ struct Exploration {
 };
 
 /// Every law in turn, a round of cases each, so that a stop finds all laws examined alike. `after_round` sees
-/// the state after each; `stop` is asked before each case.
+/// the state after each; `stop` is asked before each case. Ends, too, where a signal came or the subject is
+/// given up.
 Exploration explore(Implementation& subject, const Plan& plan, const std::function<bool()>& stop,
                     const std::function<void(const Exploration&)>& after_round);
 

@@ -104,6 +104,28 @@ std::string finding_text(const Finding& finding, const Plan& plan) {
   return text;
 }
 
+std::string replay_text(const Replay& replay) {
+  std::string text;
+  for (const Finding& finding : replay.findings) text += finding_text(finding, {});
+  return text + fmt::format("{}: {} cases hold, {} broken, {} not asked\n", replay.subject, replay.held,
+                            replay.findings.size(), replay.not_asked);
+}
+
+std::string replay_json(const Replay& replay) {
+  Json findings = Json::array();
+  for (const Finding& finding : replay.findings) {
+    findings.push_back(law_json(finding.law->text));
+    findings.back()["finding"] = finding_json(finding);
+  }
+  return Json{{"subject", replay.subject},
+              {"held", replay.held},
+              {"broken", replay.findings.size()},
+              {"not_asked", replay.not_asked},
+              {"findings", findings}}
+             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
 std::string exploration_text(const Exploration& exploration) {
   std::string text;
   for (const LawReport& report : exploration.laws) {

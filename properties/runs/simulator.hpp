@@ -1,6 +1,7 @@
 // What a law of runs asks of an implementation: simulate a scene, and tell what happened in a trace.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,11 +41,15 @@ class Simulator {
 /// REQUIRES known names.
 std::unique_ptr<Simulator> reference_simulator(const std::string& scalar, const std::string& timing);
 
+/// What a command has for one run of a generated scene, which the reference ends in well below a second.
+constexpr std::chrono::milliseconds kTimeOfARun{60'000};
+
 /// Any command that simulates as `tps run` does: COMMAND SCENE -o TRACE --scalar … --timing … --max-events …
 /// [--state-every …], and COMMAND --resume TRACE -o OTHER --max-events …. Its traces are read as they come,
-/// so a command that fails or writes something else throws std::runtime_error with the command and its exit
-/// code.
-std::unique_ptr<Simulator> command_simulator(const std::string& command, const std::string& scalar,
-                                             const std::string& timing);
+/// so a command that fails, writes something else or does not end in time throws std::runtime_error with the
+/// command and its end. REQUIRES words, the first not empty; no shell reads them.
+std::unique_ptr<Simulator> command_simulator(const std::vector<std::string>& words, const std::string& scalar,
+                                             const std::string& timing,
+                                             std::chrono::milliseconds limit = kTimeOfARun);
 
 }  // namespace tps::properties::runs

@@ -23,7 +23,8 @@ namespace {
 class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), in_(path, std::ios::binary) {
-    if (std::filesystem::is_directory(path))
+    std::error_code unknown;  // a loop of links, a name too long: cannot be opened either
+    if (std::filesystem::is_directory(path, unknown))
       fail(path, 0, "is a directory; a trace or checkpoint file is wanted");
     if (!in_) fail(path, 0, "cannot be opened; a trace or checkpoint file is wanted");
   }
@@ -178,9 +179,9 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
 }
 
 TraceFiles::TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
-                       const ResumePoint* resume)
-    : checkpoint_(options.checkpoint) {
-  if (!checkpoint_.empty()) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
+                       const ResumePoint* resume) {
+  if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
+  if (checkpoint_) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
   if (options.trace.empty()) return;
   if (resume == nullptr) {
     trace_ = std::make_unique<Output>(options.trace);
@@ -209,9 +210,9 @@ void TraceFiles::line(std::string_view text) {
 
 void TraceFiles::state(const std::string& text) {
   if (trace_) line(text);
-  if (checkpoint_.empty()) return;
+  if (!checkpoint_) return;
   if (trace_) trace_->flush();  // a checkpoint is never ahead of its trace
-  replace_file(checkpoint_, checkpoint_head_ + text + "\n");
+  checkpoint_->replace(checkpoint_head_ + text + "\n");
 }
 
 void TraceFiles::flush() {

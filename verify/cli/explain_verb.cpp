@@ -7,6 +7,7 @@
 
 #include "reference/run/explain.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 
@@ -66,6 +67,7 @@ void add_explain(CLI::App& app, int&) {
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->footer("Example: tps explain data/scenes/terminal.json");
   verb->callback([a] {
+    NamedFiles().reads("scene", a->scene).require_distinct();
     const SceneExplanation explanation = explain(read_scene_file(a->scene));
     write_result("-", a->format == "json" ? explain_json(explanation) : explain_text(explanation));
   });

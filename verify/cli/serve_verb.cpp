@@ -1,10 +1,10 @@
 // tps serve
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
-#include <atomic>
-
+#include "reference/process/interrupt.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/protocol/answer.hpp"
 #include "verify/protocol/serve.hpp"
@@ -12,29 +12,14 @@
 namespace tps::cli {
 namespace {
 
-std::atomic<bool> told_to_stop{false};
-
-extern "C" void note_stop(int) {
-  told_to_stop.store(true);
-}
-
-/// The second signal ends the program at once.
-void stop_at(int signal_number) {
-  struct sigaction action = {};
-  action.sa_handler = note_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  ::sigaction(signal_number, &action, nullptr);
-}
-
 int serve() {
-  stop_at(SIGINT);
-  stop_at(SIGTERM);
+  NamedFiles().reads("requests", "-").require_distinct();
+  const interrupt::GoodOrder good_order;
   if (::isatty(STDIN_FILENO) == 1) {
-    fmt::print(stderr,
-               "tps: reading requests, one a line, such as {{\"hello\":1}}; {{\"bye\":1}} or Ctrl-D ends\n");
+    say("tps: reading requests, one a line, such as {{\"hello\":1}}; {{\"bye\":1}} or Ctrl-D ends\n");
   }
   Output output("-");
-  const protocol::ServeEnd end = protocol::serve(STDIN_FILENO, output, [] { return told_to_stop.load(); });
+  const protocol::ServeEnd end = protocol::serve(STDIN_FILENO, output, interrupt::requested);
   output.close();
   return end == protocol::ServeEnd::interrupted ? kInterrupted : kDone;
 }

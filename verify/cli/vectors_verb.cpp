@@ -12,6 +12,9 @@
 
 #include "reference/scene/input_error.hpp"
 #include "reference/trace/output.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/vectors/check_answers.hpp"
 #include "verify/vectors/generate.hpp"
@@ -62,6 +65,10 @@ struct GenerateArguments {
   std::string output = "-";
 };
 
+std::string file_of(const GenerateArguments& a, const Stratum& stratum) {
+  return a.output + "/" + stratum.file_name();
+}
+
 void generate(const GenerateArguments& a) {
   std::unique_ptr<Output> out;
   if (a.output == "-") {
@@ -71,9 +78,14 @@ void generate(const GenerateArguments& a) {
     std::filesystem::create_directories(a.output, error);
     if (error) throw OutputError(fmt::format("cannot create the folder {}: {}", a.output, error.message()));
   }
+  NamedFiles files;
+  for (const Stratum& stratum : vectors::strata()) {
+    if (a.selection.has(stratum) && a.output != "-") files.writes("-o", file_of(a, stratum));
+  }
+  files.require_distinct();
   for (const Stratum& stratum : vectors::strata()) {
     if (!a.selection.has(stratum)) continue;
-    if (a.output != "-") out = std::make_unique<Output>(a.output + "/" + stratum.file_name());
+    if (a.output != "-") out = std::make_unique<Output>(file_of(a, stratum));
     write_stratum(stratum, a.seed, extent_of(stratum, a.level, a.count),
                   [&](std::string_view line) { out->write(line); });
     if (a.output != "-") out->close();
@@ -89,7 +101,8 @@ void read_all(const std::vector<std::string>& files, const vectors::VectorsVisit
       continue;
     }
     std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) {
+    std::error_code unknown;
+    if (!in || std::filesystem::is_directory(file, unknown)) {
       throw InputError(
           {{file, 0, "",
             "cannot be read; name files such as data/vectors/*.jsonl, or - for standard input"}});
@@ -101,11 +114,18 @@ void read_all(const std::vector<std::string>& files, const vectors::VectorsVisit
 /// Replies by the number of the case in the files as given (seq), or by its id.
 using Replies = std::unordered_map<std::string, Json>;
 
+void require_distinct(const std::vector<std::string>& files, const std::string& answers = "") {
+  NamedFiles named;
+  for (const std::string& file : files) named.reads("files", file);
+  named.reads("--answers", answers).require_distinct();
+}
+
 Replies read_replies(const std::string& path) {
   std::ifstream file;
   if (path != "-") file.open(path, std::ios::binary);
   std::istream& in = path == "-" ? std::cin : file;
-  if (!in || (path != "-" && std::filesystem::is_directory(path))) {
+  std::error_code unknown;
+  if (!in || (path != "-" && std::filesystem::is_directory(path, unknown))) {
     throw InputError({{path, 0, "", "cannot be read; --answers takes one reply a line"}});
   }
   Replies replies;
@@ -129,8 +149,8 @@ class Findings {
  public:
   void problem(const vectors::Place& place, const std::string& text) {
     ++problems_;
-    if (problems_ <= shown) fmt::print(stderr, "{}:{}: {}\n", place.file, place.line, text);
-    if (problems_ == shown + 1) fmt::print(stderr, "… further problems are counted only\n");
+    if (problems_ <= shown) say("{}:{}: {}\n", place.file, place.line, text);
+    if (problems_ == shown + 1) say("… further problems are counted only\n");
   }
   void judged() { ++judged_; }
   void skipped() { ++skipped_; }
@@ -150,6 +170,7 @@ class Findings {
 };
 
 int verify_cases(const std::vector<std::string>& files) {
+  require_distinct(files);
   Findings findings;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      findings.judged();
@@ -163,6 +184,7 @@ int verify_cases(const std::vector<std::string>& files) {
 }
 
 int verify_answers(const std::vector<std::string>& files, const std::string& answers) {
+  require_distinct(files, answers);
   const Replies replies = read_replies(answers);
   Findings findings;
   std::uint64_t seq = 0;
@@ -182,6 +204,7 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
 }
 
 void write_requests(const std::vector<std::string>& files) {
+  require_distinct(files);
   Output out("-");
   std::uint64_t seq = 0;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place&) {
@@ -202,8 +225,12 @@ void add_generate(CLI::App& verb) {
                    "1: the first cases of each; 2: what is committed; 3: those behind it")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
-  generating->add_option("--count", a->count, "Cases a stratum at level 3")->capture_default_str();
-  generating->add_option("--seed", a->seed, "Another seed has other cases")->capture_default_str();
+  generating->add_option("--count", a->count, "Cases a stratum at level 3")
+      ->check(integer_from(0, "a number of cases"))
+      ->capture_default_str();
+  generating->add_option("--seed", a->seed, "Another seed has other cases")
+      ->check(integer_from(0, "a seed"))
+      ->capture_default_str();
   generating->add_option("-o,--output", a->output, "A folder, - for standard output")->capture_default_str();
   generating->footer("Example: tps vectors generate -o data/vectors");
   generating->callback([a] { generate(*a); });

@@ -31,7 +31,8 @@ class Descriptor {
  public:
   explicit Descriptor(const std::string& path)
       : number_(path == "-" ? 0 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (path != "-" && std::filesystem::is_directory(path))
+    std::error_code unknown;
+    if (path != "-" && std::filesystem::is_directory(path, unknown))
       fail(path, 0, "is a directory; a trace is a file");
     if (number_ < 0) fail(path, 0, "cannot be opened; a trace is written by tps run SCENE -o TRACE");
   }
