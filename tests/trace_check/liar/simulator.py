@@ -22,14 +22,19 @@ class Honesty:
     """What a lie may change. Every hook says the truth here."""
 
     def begin(self, sim): pass
+    def stops(self, sim): return False
     def candidates(self, sim, events): return events
-    def chosen(self, sim, event): return event
+    def chosen(self, sim, event, events): return event
+    def brought(self, sim, i, x): return x
     def impulse(self, sim, hit): pass
     def tether(self, sim, hit): pass
     def applied(self, sim, hit, velocities): return velocities
     def loaded(self, sim, hit, v_load, dp_stored): return v_load, dp_stored
     def expiry(self, sim, hit, expiry): return expiry
+    def members(self, sim, record, members): return members
     def unwinding(self, sim, body, nodes): return nodes
+    def pushed(self, sim, particle, impulse): return particle, impulse
+    def phase(self, sim, opens, phase): return opens
     def recorded(self, sim, record): return record
     def state(self, sim, state): return state
     def ending(self, sim, end): return end
@@ -85,7 +90,7 @@ class Simulator:
 
     def bring(self, i):
         if not self.fixed[i]:
-            self.x[i], self.clock[i] = self.place(i), self.now
+            self.x[i], self.clock[i] = self.lie.brought(self, i, self.place(i)), self.now
 
     def set_velocity(self, i, v):
         if not self.fixed[i]:
@@ -168,7 +173,8 @@ class Simulator:
         events = self.lie.candidates(self, self.all_events())
         if not events:
             return None
-        return self.lie.chosen(self, min(events, key=functools.cmp_to_key(self.order)))
+        events.sort(key=functools.cmp_to_key(self.order))
+        return self.lie.chosen(self, events[0], events)
 
     # What happens
 
@@ -208,10 +214,9 @@ class Simulator:
             self.out.event(self, one)
 
     def collide(self, event):
-        bodies = [event.i, event.j]
-        self.now_record = self.open_record("rebound", bodies)
+        record = self.open_record("rebound", [event.i, event.j])
         hit = Hit(self, event)
-        hit.record = {**self.now_record, "j": event.j}
+        hit.record = {**record, "j": event.j}
         self.answer_inner(hit) if event.limit == INNER else self.answer_outer(hit)
         self.lie.impulse(self, hit)
         self.change_tether(hit)
@@ -295,7 +300,7 @@ class Simulator:
                 self.bring(m)
                 record["pre"][m] = (self.place(m), self.v[m])
                 record["involved"].append(m)
-        for m in members:
+        for m in self.lie.members(self, record, members):
             self.set_velocity(m, v)
 
     def restitute(self, body):
@@ -313,14 +318,13 @@ class Simulator:
 
     def change_phase(self):
         _, opens, phase = self.laws.changes[self.phases_done]
-        self.laws.open[phase] = opens
+        self.laws.open[phase] = self.lie.phase(self, opens, phase)
         self.phases_done += 1
         self.close_record({"kind": "phase_begin" if opens else "phase_end", "phase": phase, "involved": [], "pre": {}})
 
-    def push(self, i=None):
-        _, particle, impulse = self.laws.impulses[self.impulses_done]
+    def push(self):
+        i, impulse = self.lie.pushed(self, *self.laws.impulses[self.impulses_done][1:])
         self.impulses_done += 1
-        i = particle if i is None else i
         record = {**self.open_record("scheduled_impulse", [i]), "dp": impulse}
         mass = self.body_mass(i)
         self.move_as_one(record, self.members(i), tuple(v + p / mass for v, p in zip(self.v[i], impulse)))
@@ -335,7 +339,7 @@ class Simulator:
         self.write_state()
         end = (float(self.scene["duration"]), 0.0)
         while True:
-            if self.k >= max_events:
+            if self.k >= max_events or self.lie.stops(self):
                 return self.end("max_events", self.now)
             event = self.next_event()
             if event is None or event.time > end:
