@@ -103,7 +103,7 @@ class DrawDisobeyed(Tether):
         return True
 
 
-@lie("tethers", "lottery lottery_grouped", minimal=True)
+@lie("tethers", "lottery lottery_grouped")
 class DrawMissing(Tether):
     def instead(self, sim, hit, pair):
         return hit.record.pop("draw", None) is not None

@@ -141,7 +141,7 @@ class Simulator:
         return event
 
     def pair_events(self, i, j):
-        if self.forest and self.forest.together(i, j):
+        if (self.forest and self.forest.together(i, j)) or math.isinf(min(self.body_mass(i), self.body_mass(j))):
             return
         blocking, tethering = self.laws.blocking(i, j), self.laws.tethering(i, j)
         if blocking and not self.has_responded(i, j, INNER):
