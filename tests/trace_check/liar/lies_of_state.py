@@ -109,7 +109,7 @@ class DrawMissing(Tether):
         return hit.record.pop("draw", None) is not None
 
 
-@lie("tethers", "lottery lottery_grouped", minimal=True)
+@lie("tethers", "lottery lottery_grouped")
 class DrawOfAnotherSeed(Tether):
     """The decision follows the draw, but the draw is not that of the header's seed."""
 

@@ -375,19 +375,22 @@ class Known(Lie):
 
     rank, late = RESTITUTION, None
 
+    same = None
+
     def candidates(self, sim, events):
-        if not self.now(sim) and not self.told:
-            return events
-        kept = []
-        for e in events:
-            if e.rank == self.rank and (self.now(sim) or self.same == (e.time, e.i)):
-                self.same = (e.time, e.i)
+        events.sort(key=functools.cmp_to_key(sim.order))
+        if self.now(sim) and events[0].rank == self.rank and len(events) > 1:
+            if self.late is None or sim.now < after(events[0].time, self.late):
+                self.same = (events[0].time, events[0].i)
                 self.tell()
-                if self.late is not None:
-                    kept.append(Event(after(e.time, self.late), e.rank, e.i, e.j))
-            else:
-                kept.append(e)
-        return kept or events
+        if self.same is None:
+            return events
+        shifted = [] if self.late is None else [self.late]
+        others = [e for e in events if not self.is_same(e)]
+        return others + [Event(after(e.time, late), e.rank, e.i, e.j) for e in events if self.is_same(e) for late in shifted]
+
+    def is_same(self, e):
+        return e.rank == self.rank and (e.time, e.i) == self.same
 
 
 @lie("groups earliest", GROUPED, minimal=True)
