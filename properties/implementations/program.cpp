@@ -13,6 +13,8 @@
 #include "properties/implementations/child_process.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/serve_library.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -66,9 +68,14 @@ class Program final : public Implementation {
     if (line.status != Status::line) {
       problem = failure(line, options_);
     } else {
-      const Json hello = Json::parse(line.text, nullptr, false);
+      Json hello;
+      try {
+        hello = parse_plain_json(line.text, "reply");
+      } catch (const InputError&) {
+        // Said below, as of any other line that is no answer.
+      }
       if (!hello.is_object() || !hello.contains("name")) {
-        problem = "the answer to hello has no name: " + line.text.substr(0, 200);
+        problem = "the answer to hello has no name: " + printable(line.text, 200);
       } else if (options_.bits) {
         bits_ = *options_.bits;
       } else if (const auto bits = hello.find("bits"); bits != hello.end() && bits->is_number_integer()) {

@@ -4,10 +4,12 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "reference/run/run.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "reference/version.hpp"
 #include "verify/cli/verbs.hpp"
@@ -32,7 +34,7 @@ failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 70 an
 Example: tps run data/scenes/three-body.json)";
 
 int report(const char* what, int exit_code) {
-  fmt::print(stderr, "tps: {}\n", what);
+  fmt::print(stderr, "tps: {}\n", tps::printable_lines(what));
   return exit_code;
 }
 
@@ -61,7 +63,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? tps::cli::kDone : tps::cli::kUsage;
+    std::ostringstream out, err;  // what is wrong with a command line quotes it
+    const bool done = app.exit(error, out, err) == 0;
+    fmt::print("{}", out.str());
+    fmt::print(stderr, "{}", tps::printable_lines(err.str()));
+    return done ? tps::cli::kDone : tps::cli::kUsage;
   } catch (const tps::InputError& error) {
     return report(error.what(), tps::cli::kBadInput);
   } catch (const tps::OutputError& error) {

@@ -15,6 +15,7 @@
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
@@ -173,8 +174,8 @@ int replay(const PropertiesArguments& a) {
           {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions}, {});
     }
   }
-  text +=
-      fmt::format("{}: {} cases hold, {} broken, {} not asked\n", subject->name(), held, broken, not_asked);
+  text += fmt::format("{}: {} cases hold, {} broken, {} not asked\n", printable(subject->name()), held,
+                      broken, not_asked);
   write_result("-", text);
   if (broken > 0) return failed ? kOtherProgram : kViolation;
   return held > 0 ? kDone : kUndecided;
@@ -189,7 +190,7 @@ int run_properties(const PropertiesArguments& a) {
   try {
     return a.replayed.empty() ? explore_laws(a) : replay(a);
   } catch (const ProgramError& error) {
-    fmt::print(stderr, "tps: {}\n", error.what());
+    fmt::print(stderr, "tps: {}\n", printable_lines(error.what()));
     return kOtherProgram;
   }
 }

@@ -5,11 +5,14 @@
 #include <csignal>
 #include <memory>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/cli/progress.hpp"
+#include "verify/cli/start_notice.hpp"
 #include "verify/cli/summary.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
@@ -41,10 +44,26 @@ std::string not_before_start(std::string& text) {
   return "'" + text + "' is not a time; allowed are numbers from 0, and inf";
 }
 
-RunSummary simulate(RunArguments& a) {
-  if (a.resume.empty()) return run_scene(read_scene_file(a.scene), a.options);
+RunSummary simulate(RunArguments& a, StartNotice& notice) {
+  if (a.resume.empty()) {
+    notice.doing(fmt::format("reading {}", a.scene));
+    const Scene scene = read_scene_file(a.scene);
+    const std::size_t n = scene.particles.size();
+    notice.doing(fmt::format("times of the {} pairs of {} particles", n < 2 ? 0 : n * (n - 1) / 2, n));
+    return run_scene(scene, a.options);
+  }
+  notice.doing(fmt::format("taking up the last full state of {}", a.resume));
   if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
-  return resume_run(a.resume, a.options);
+  bool unprotected = false;
+  RunSummary summary = resume_run(a.resume, a.options, unprotected);
+  if (unprotected) {
+    fmt::print(
+        stderr,
+        "tps: note: the full state of {} has no checksum, as those of older versions: nothing would have "
+        "shown damage to it\n",
+        printable(a.resume));
+  }
+  return summary;
 }
 
 int run(RunArguments& a) {
@@ -63,8 +82,12 @@ int run(RunArguments& a) {
   RunSummary summary;
   {
     ProgressReport report(a.quiet);
-    a.options.progress = [&](const RunOptions::Progress& progress) { report.update(progress); };
-    summary = simulate(a);
+    StartNotice notice(a.quiet);
+    a.options.progress = [&](const RunOptions::Progress& progress) {
+      notice.stop();
+      report.update(progress);
+    };
+    summary = simulate(a, notice);
   }
   const std::string text = a.format == "json" ? summary_json(summary) : summary_text(summary);
   if (a.options.trace == "-") {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
@@ -51,12 +52,23 @@ struct Head {
   std::string scalar = "double";
   Timing timing = Timing::stable;
   bool minimal = false;
+  bool checksum_holds = true;  ///< where it has one
 };
 
 std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return otherwise;
   return value->string() != nullptr ? *value->string() : "";
+}
+
+/// True where there is none: then nothing is claimed.
+bool checksum_holds(const JsonValue& root, const Head& head) {
+  const JsonValue* stated = root.find("checksum");
+  if (stated == nullptr) return true;
+  TraceHead claimed{head.scene, *scalar_kind(head.scalar), head.timing, 0};
+  const JsonValue* every = root.find("options")->find("state_every");
+  if (every != nullptr && every->number() != nullptr) claimed.state_every = every->number()->magnitude;
+  return stated->string() != nullptr && *stated->string() == head_checksum(claimed);
 }
 
 Head read_head(std::string_view text, const std::string& file, const CheckOptions& options) {
@@ -70,7 +82,7 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
   static const std::vector<std::string> known = {"trace",   "semantics", "version", "scalar",
-                                                 "options", "scene",     "form"};
+                                                 "options", "scene",     "form",    "checksum"};
   for (const JsonMember& member : *root.object()) {
     if (std::find(known.begin(), known.end(), member.key) == known.end()) {
       fail(file, 1,
@@ -106,6 +118,7 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   } else {
     fail(file, 1, "has no \"scene\", and none is given by --scene");
   }
+  head.checksum_holds = head.minimal || checksum_holds(root, head);
   return head;
 }
 
@@ -113,7 +126,6 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   CheckReport report;
   report.file = path == "-" ? "standard input" : path;
   report.title = head.scene.title;
-  for (char& c : report.title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   report.scalar = head.scalar;
   report.timing = timing_names()[static_cast<std::size_t>(head.timing)];
   report.minimal = head.minimal;
@@ -155,7 +167,12 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
   report.lines = 1;
   Tally tally(report, options.tolerance, options.max_reports);
   tally.step.line = 1;
-  tally.pass(Rule::schema);
+  tally.demand(Rule::schema, head.checksum_holds, [](Finding& f) {
+    f.message =
+        "/checksum is not that of scalar, options and scene: the line was damaged or edited (if it was "
+        "edited, "
+        "leave the checksum out)";
+  });
   if (!options.scene.empty()) {
     tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
       f.message = fmt::format("the scene of the trace is not that of {}", options.scene);
