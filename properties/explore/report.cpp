@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "reference/scene/number_text.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -101,7 +102,7 @@ std::string finding_text(const Finding& finding, const Plan& plan) {
       law.page, finding.outcome.why, shown(finding.shrunk), shown(finding.generated), finding.number,
       plan.seed, finding.shrinks);
   for (const Question& question : finding.questions) text += "  " + command_of(question) + "\n";
-  return text;
+  return printable_lines(text);
 }
 
 std::string replay_text(const Replay& replay) {
@@ -138,9 +139,10 @@ std::string exploration_text(const Exploration& exploration) {
     text += fmt::format(" {} {},", hazard, count);
   if (exploration.held() > 0) text.back() = '\n';
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
-  return text + fmt::format("{}: laws {}, cases held {}, broken {}; go on with --seed {} --first {}\n",
-                            exploration.subject, exploration.laws.size(), exploration.held(),
-                            exploration.findings().size(), exploration.plan.seed, exploration.next);
+  return printable_lines(text) +
+         fmt::format("{}: laws {}, cases held {}, broken {}; go on with --seed {} --first {}\n",
+                     printable(exploration.subject), exploration.laws.size(), exploration.held(),
+                     exploration.findings().size(), exploration.plan.seed, exploration.next);
 }
 
 std::string exploration_json(const Exploration& exploration) {

@@ -12,6 +12,9 @@
 #include "properties/implementations/child_process.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/serve_library.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -91,9 +94,14 @@ class Program final : public Implementation {
   }
 
   std::string read_hello(const std::string& line) {
-    const Json hello = Json::parse(line, nullptr, false);
+    Json hello;
+    try {
+      hello = parse_plain_json(line, "reply");
+    } catch (const InputError&) {
+      // Said below, as of any other line that is no answer.
+    }
     if (!hello.is_object() || !hello.contains("name"))
-      return "the answer to hello has no name: " + line.substr(0, 200);
+      return "the answer to hello has no name: " + printable(line, 200);
     if (options_.bits) {
       bits_ = *options_.bits;
     } else if (const auto bits = hello.find("bits"); bits != hello.end()) {
@@ -101,7 +109,7 @@ class Program final : public Implementation {
           bits->is_number_integer() && bits->get<double>() >= kLeastBits && bits->get<double>() <= kMostBits;
       if (!known) {
         return fmt::format("the answer to hello has bits = {}; allowed are integers from {} to {}",
-                           bits->dump().substr(0, 80), kLeastBits, kMostBits);
+                           shown(*bits), kLeastBits, kMostBits);
       }
       bits_ = bits->get<int>();
     }

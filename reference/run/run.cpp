@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/input_error.hpp"
@@ -81,6 +82,11 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 }
 
 RunSummary resume_run(const std::string& path, const RunOptions& options) {
+  bool ignored = false;
+  return resume_run(path, options, ignored);
+}
+
+RunSummary resume_run(const std::string& path, const RunOptions& options, bool& unprotected) {
   const TraceHead head = read_trace_head(path);
   if (head.semantics != kSemanticsVersion) {
     throw InputError(
@@ -94,6 +100,7 @@ RunSummary resume_run(const std::string& path, const RunOptions& options) {
   resumed.timing = head.timing;
   resumed.state_every = head.state_every;
   ResumePoint point = last_state(path);
+  unprotected = point.state.checksum == StateData::Checksum::absent;
   if (is_checkpoint(path) && !options.trace.empty()) {
     require_same_run(path, head, options.trace);
     point.from = options.trace;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace tps {
 
@@ -27,10 +28,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  });
-  return nearest == known.end() ? std::string() : *nearest;
+  constexpr std::size_t most_known =
+      200;  // a hint is not worth a thousand tables for each of a thousand errors
+  std::string nearest;
+  std::size_t least = SIZE_MAX;
+  for (std::size_t k = 0; k < std::min(known.size(), most_known); ++k) {
+    const std::size_t distance = edit_distance(name, known[k]);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = known[k];
+  }
+  return nearest;
 }
 
 }  // namespace tps

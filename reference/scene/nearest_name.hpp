@@ -12,7 +12,8 @@ namespace tps {
 /// only the first 64 characters of each are compared.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known name with the fewest edits to `name`, the first of equals. Empty if nothing is known.
+/// The known name with the fewest edits to `name`, the first of equals; of many, only the first 200 are
+/// looked at. Empty if nothing is known.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace tps

@@ -9,6 +9,7 @@
 
 #include "reference/engine/group_coupling.hpp"
 #include "reference/engine/simulation.hpp"
+#include "reference/trace/check_state.hpp"
 #include "reference/trace/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
@@ -65,6 +66,22 @@ HexVector sum_data(const Sum<Scalar>& sum) {
 template <typename Scalar>
 Sum<Scalar> sum_from(const HexVector& data) {
   return {number_from<Scalar>(data.at(0)), number_from<Scalar>(data.at(1))};
+}
+
+inline void require_fit(const Scene& scene, const StateData& state, int digits) {
+  if (state.checksum == StateData::Checksum::wrong) {
+    throw std::runtime_error(
+        "its checksum is not that of its content, so that it was damaged or edited (an edited one may leave "
+        "the "
+        "checksum out)");
+  }
+  const std::vector<StateProblem> problems = state_problems(scene, state, digits);
+  if (problems.empty()) return;
+  std::string text;
+  for (const StateProblem& problem : problems) {
+    text += (text.empty() ? "" : "; ") + (problem.pointer + " " + problem.message);
+  }
+  throw std::runtime_error(text);
 }
 
 /// The quantities of ledger and statistics, each under its name, for both directions.
@@ -214,6 +231,7 @@ template <typename Scalar, int D>
 void restore(Simulation<Scalar, D>& simulation, const StateData& state) {
   using namespace detail;
   World<Scalar, D>& world = simulation.world();
+  require_fit(world.scene, state, std::numeric_limits<Scalar>::digits);
   std::unordered_map<std::int32_t, int> index_of;
   for (int i = 0; i < world.size(); ++i) index_of[world.scene.particles[world.index(i)].id] = i;
   if (state.particles.size() != world.particles.size())

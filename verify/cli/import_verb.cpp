@@ -8,6 +8,7 @@
 
 #include "reference/scene/builders/builder.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
@@ -62,7 +63,7 @@ void add_import(CLI::App& app, int&) {
                         arslab::import_limits);
     const arslab::ImportedScene imported = arslab::import_scenario(std::move(document), a->options);
     write_result(a->output, write_scene(imported.scene, SceneStyle::pretty));
-    for (const std::string& note : imported.notes) say("tps: note: {}\n", note);
+    for (const std::string& note : imported.notes) say("tps: note: {}\n", printable(note));
   });
 }
 

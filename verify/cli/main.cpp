@@ -5,12 +5,14 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "reference/process/descriptors.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "reference/version.hpp"
 #include "verify/cli/say.hpp"
@@ -36,14 +38,17 @@ failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 70 an
 Example: tps run data/scenes/three-body.json)";
 
 int report(const char* what, int exit_code) {
-  tps::cli::say("tps: {}\n", what);
+  tps::cli::say("tps: {}\n", tps::printable_lines(what));
   return exit_code;
 }
 
 /// What CLI11 says: help and the like on standard output, errors of usage on the other.
 int answer_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (app.exit(error) != 0) return tps::cli::kUsage;
-  std::cout.flush();
+  std::ostringstream out, err;  // what is wrong with a command line quotes it
+  const bool done = app.exit(error, out, err) == 0;
+  tps::cli::say("{}", tps::printable_lines(err.str()));
+  if (!done) return tps::cli::kUsage;
+  std::cout << out.str() << std::flush;
   return std::cout ? tps::cli::kDone
                    : report("standard output: cannot write the text", tps::cli::kOutputFailed);
 }

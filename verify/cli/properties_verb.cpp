@@ -16,6 +16,7 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
@@ -209,7 +210,7 @@ int run_properties(const PropertiesArguments& a, Dashes dashes) {
   try {
     return a.replayed.empty() ? explore_laws(a) : replay_cases(a);
   } catch (const ProgramError& error) {
-    say("tps: {}\n", error.what());
+    say("tps: {}\n", printable_lines(error.what()));
     return kOtherProgram;
   }
 }

@@ -5,14 +5,17 @@
 #include <memory>
 
 #include "reference/process/interrupt.hpp"
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/progress.hpp"
 #include "verify/cli/say.hpp"
+#include "verify/cli/start_notice.hpp"
 #include "verify/cli/summary.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
@@ -48,17 +51,28 @@ void require_distinct_files(const RunArguments& a) {
 
 /// A signal while the scene is read ends the program; from then on it ends the run, and its trace, in good
 /// order.
-RunSummary simulate(RunArguments& a) {
-  if (!a.resume.empty()) {
-    if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
+RunSummary simulate(RunArguments& a, StartNotice& notice) {
+  if (a.resume.empty()) {
     require_distinct_files(a);
+    notice.doing(fmt::format("reading {}", a.scene));
+    const Scene scene = read_scene_file(a.scene);
+    const std::size_t n = scene.particles.size();
+    notice.doing(fmt::format("times of the {} pairs of {} particles", n < 2 ? 0 : n * (n - 1) / 2, n));
     const interrupt::GoodOrder good_order;
-    return resume_run(a.resume, a.options);
+    return run_scene(scene, a.options);
   }
+  if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
   require_distinct_files(a);
-  const Scene scene = read_scene_file(a.scene);
+  notice.doing(fmt::format("taking up the last full state of {}", a.resume));
   const interrupt::GoodOrder good_order;
-  return run_scene(scene, a.options);
+  bool unprotected = false;
+  RunSummary summary = resume_run(a.resume, a.options, unprotected);
+  if (unprotected) {
+    say("tps: note: the full state of {} has no checksum, as those of older versions: nothing would have "
+        "shown damage to it\n",
+        printable(a.resume));
+  }
+  return summary;
 }
 
 int run(RunArguments& a) {
@@ -75,8 +89,12 @@ int run(RunArguments& a) {
   RunSummary summary;
   {
     ProgressReport report(a.quiet);
-    a.options.progress = [&](const RunOptions::Progress& progress) { report.update(progress); };
-    summary = simulate(a);
+    StartNotice notice(a.quiet);
+    a.options.progress = [&](const RunOptions::Progress& progress) {
+      notice.stop();
+      report.update(progress);
+    };
+    summary = simulate(a, notice);
   }
   const std::string text = a.format == "json" ? summary_json(summary) : summary_text(summary);
   if (a.options.trace == "-") {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/cli/summary.hpp"
 
 namespace tps::cli {
@@ -77,7 +78,7 @@ std::string summary_json(const RunSummary& s) {
     }
   }
   if (!s.stalled_on.empty()) result["stalled_on"] = s.stalled_on;
-  return result.dump(2) + "\n";
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace tps::cli

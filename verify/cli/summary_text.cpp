@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "reference/text/printable.hpp"
 #include "verify/cli/summary.hpp"
 
 namespace tps::cli {
@@ -66,7 +67,7 @@ void write_clusters(Text out, const RunSummary& s) {
   fmt::format_to(out,
                  "clusters   of {}; extent and speeds are those of the largest, around an impulse of the one "
                  "that was hit\n",
-                 s.cluster_species);
+                 printable(s.cluster_species));
   fmt::format_to(out, "           {:>10}  {:>6}  {:>8}  {:>8}  {:>8}  sizes\n", "t", "number", "extent",
                  "relative", "centre");
   for (const ClusterSample& c : s.clusters) {
@@ -77,13 +78,13 @@ void write_clusters(Text out, const RunSummary& s) {
       fmt::format_to(out, "  {:>8.4g}  {:>8.4g}  {:>8.4g}", c.extent, c.relative_speed, c.centre_speed);
     }
     fmt::format_to(out, "  {}{}\n", fmt::join(c.sizes, " "),
-                   c.occasion == "sample" ? "" : "  (" + c.occasion + ")");
+                   c.occasion == "sample" ? "" : "  (" + printable(c.occasion) + ")");
   }
 }
 
 void write_final(Text out, const RunSummary& s) {
   for (const RunSummary::Final& p : s.final_states) {
-    fmt::format_to(out, "particle   {} ({}) at ({}) with velocity ({})\n", p.id, p.species,
+    fmt::format_to(out, "particle   {} ({}) at ({}) with velocity ({})\n", p.id, printable(p.species),
                    fmt::join(p.position, ", "), fmt::join(p.velocity, ", "));
   }
 }
@@ -96,13 +97,13 @@ std::string stall_message(const RunSummary& s) {
       "collapse, or "
       "its finite number of collisions is beyond this scalar: give the scene \"grouping\" with a small "
       "\"dt_restitute\", or run with a wider --scalar.",
-      s.t, fmt::join(s.stalled_on, ", "));
+      s.t, printable(fmt::format("{}", fmt::join(s.stalled_on, ", "))));
 }
 
 std::string summary_text(const RunSummary& s) {
   std::string text;
   const Text out = std::back_inserter(text);
-  fmt::format_to(out, "scene      {} ({} particles, {})\n", s.title.empty() ? "untitled" : s.title,
+  fmt::format_to(out, "scene      {} ({} particles, {})\n", s.title.empty() ? "untitled" : printable(s.title),
                  s.particles, s.scalar);
   fmt::format_to(out, "end        {} at t = {:.9g} after {} events", s.end, s.t, s.events);
   if (s.seconds > 0)

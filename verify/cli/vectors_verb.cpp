@@ -11,6 +11,10 @@
 #include <unordered_map>
 
 #include "reference/scene/input_error.hpp"
+#include "reference/scene/text_file.hpp"
+#include "reference/text/line_source.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
@@ -111,6 +115,8 @@ void read_all(const std::vector<std::string>& files, const vectors::VectorsVisit
   }
 }
 
+constexpr std::size_t kLongestReply = std::size_t{1} << 20U;
+
 /// Replies by the number of the case in the files as given (seq), or by its id.
 using Replies = std::unordered_map<std::string, Json>;
 
@@ -130,8 +136,13 @@ Replies read_replies(const std::string& path) {
   }
   Replies replies;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    Json reply = Json::parse(line, nullptr, false);
+  LineRead read;
+  for (std::size_t number = 1; read_line(in, line, kLongestReply, read); ++number) {
+    if (read.too_long) {
+      throw InputError(
+          {{path, number, "", fmt::format("is longer than {} bytes; no reply is", kLongestReply)}});
+    }
+    Json reply = parse_plain_json(line, display_name(path), {}, number);
     const bool named = reply.is_object() && (reply.contains("id") || reply.contains("seq"));
     if (reply.is_object() && reply.contains("name") && !named) continue;  // the answer to hello
     if (!named) {
@@ -149,7 +160,8 @@ class Findings {
  public:
   void problem(const vectors::Place& place, const std::string& text) {
     ++problems_;
-    if (problems_ <= shown) say("{}:{}: {}\n", place.file, place.line, text);
+    if (problems_ <= shown)
+      say("{}:{}: {}\n", printable(place.file), place.line, printable(text, kLongestProblem));
     if (problems_ == shown + 1) say("… further problems are counted only\n");
   }
   void judged() { ++judged_; }
@@ -166,6 +178,7 @@ class Findings {
 
  private:
   static constexpr std::uint64_t shown = 20;
+  static constexpr std::size_t kLongestProblem = 1000;
   std::uint64_t judged_ = 0, problems_ = 0, skipped_ = 0;
 };
 

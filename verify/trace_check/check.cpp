@@ -8,9 +8,11 @@
 #include <chrono>
 #include <filesystem>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/version.hpp"
 #include "verify/protocol/line_reader.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 
@@ -61,6 +63,7 @@ struct Head {
   int semantics = 0;      ///< 0: not said
   std::string positions;  ///< "lazy", "eager" or empty: not said
   bool own_draws = false;
+  bool checksum_holds = true;  ///< where it has one
 };
 
 /// The version of the semantics that a trace names; what another one means is not known here.
@@ -68,11 +71,12 @@ int semantics_of(const JsonValue& root, const std::string& file) {
   const JsonValue* semantics = root.find("semantics");
   if (semantics == nullptr) return 0;
   const double version = semantics->number() == nullptr ? 0 : semantics->number()->value;
-  if (version != 1 && version != 2) {
+  if (!is_known_semantics(version)) {
     fail(file, 1,
-         "/semantics is not 1 or 2, the versions of docs/decisions.md that this check knows; a trace of "
-         "another "
-         "program may leave it out");
+         fmt::format("/semantics is none of the versions of docs/semantics.md that this check knows, {} to "
+                     "{}; a trace "
+                     "of another program may leave it out",
+                     kOldestSemantics, kSemanticsVersion));
   }
   return static_cast<int>(version);
 }
@@ -86,6 +90,16 @@ std::string one_of(const JsonValue& root, const char* key, const std::vector<std
   return text;
 }
 
+/// True where there is none: then nothing is claimed.
+bool checksum_holds(const JsonValue& root, const Head& head) {
+  const JsonValue* stated = root.find("checksum");
+  if (stated == nullptr) return true;
+  TraceHead claimed{head.scene, head.semantics, *scalar_kind(head.scalar), head.timing, 0};
+  const JsonValue* every = root.find("options")->find("state_every");
+  if (every != nullptr && every->number() != nullptr) claimed.state_every = every->number()->magnitude;
+  return stated->string() != nullptr && *stated->string() == head_checksum(claimed);
+}
+
 Head read_head(std::string_view text, const std::string& file, const CheckOptions& options) {
   const JsonDocument document = parse_json(text, file);
   document.problems.throw_if_any();
@@ -97,7 +111,7 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
   static const std::vector<std::string> known = {"trace", "semantics", "version",   "scalar", "options",
-                                                 "scene", "form",      "positions", "draws"};
+                                                 "scene", "form",      "positions", "draws",  "checksum"};
   for (const JsonMember& member : *root.object()) {
     if (std::find(known.begin(), known.end(), member.key) == known.end()) {
       fail(file, 1,
@@ -138,6 +152,7 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   } else {
     fail(file, 1, "has no \"scene\", and none is given by --scene");
   }
+  head.checksum_holds = head.minimal || checksum_holds(root, head);
   return head;
 }
 
@@ -145,7 +160,6 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   CheckReport report;
   report.file = path == "-" ? "standard input" : path;
   report.title = head.scene.title;
-  for (char& c : report.title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   report.scalar = head.scalar;
   report.timing = timing_names()[static_cast<std::size_t>(head.timing)];
   report.minimal = head.minimal;
@@ -176,7 +190,11 @@ bool explains_more(const CheckReport& strict, const CheckReport& eager) {
 
 void judge_header(Tally& tally, const Head& head, const CheckOptions& options) {
   tally.step.line = 1;
-  tally.pass(Rule::schema);
+  tally.demand(Rule::schema, head.checksum_holds, [](Finding& f) {
+    f.message =
+        "/checksum is not that of scalar, options and scene: the line was damaged or edited (if it was "
+        "edited, leave the checksum out)";
+  });
   if (!options.scene.empty()) {
     tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
       f.message = fmt::format("the scene of the trace is not that of {}", options.scene);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/trace_check/report.hpp"
 
 namespace tps::check {
@@ -75,7 +76,7 @@ std::string report_json(const CheckReport& r) {
                     {"findings", findings},
                     {"residuals", sums},
                     {"notes", r.notes}};
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace tps::check

@@ -3,10 +3,13 @@
 #include <iterator>
 #include <utility>
 
+#include "reference/text/printable.hpp"
 #include "verify/trace_check/report.hpp"
 
 namespace tps::check {
 namespace {
+
+constexpr std::size_t kLongestTitle = 200;
 
 std::string verdict_of(const RuleResult& rule) {
   if (rule.violated > 0) return "VIOLATED";
@@ -34,9 +37,9 @@ void add_finding(std::string& text, const Finding& f) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nline {}", f.line);
   if (f.event > 0) fmt::format_to(out, ", event {}", f.event);
-  if (!f.t.empty()) fmt::format_to(out, ", t = {}", f.t);
+  if (!f.t.empty()) fmt::format_to(out, ", t = {}", printable(f.t));
   fmt::format_to(out, ": {}{}\n  {}\n", name(f.rule), f.outcome == Outcome::undecided ? " (undecided)" : "",
-                 f.message);
+                 printable(f.message));
   if (f.off) {
     const auto [off, allowed] = told_apart(*f.off, *f.allowed);
     fmt::format_to(out, "  off by {} ulp, allowed {}\n", off, allowed);
@@ -53,10 +56,11 @@ void add_finding(std::string& text, const Finding& f) {
 std::string report_text(const CheckReport& r) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "trace      {}: {} ({} particles, {}, {}{})\n", r.file, r.title, r.particles, r.scalar,
-                 r.timing, r.minimal ? ", minimal" : "");
+  fmt::format_to(out, "trace      {}: {} ({} particles, {}, {}{})\n", printable(r.file),
+                 printable(r.title, kLongestTitle), r.particles, r.scalar, r.timing,
+                 r.minimal ? ", minimal" : "");
   fmt::format_to(out, "lines      {}: {} events, {} full states, end {}\n", r.lines, r.events, r.states,
-                 r.end.empty() ? "missing" : r.end);
+                 r.end.empty() ? "missing" : printable(r.end));
   if (r.tolerance != 1) fmt::format_to(out, "tolerance  {} times the derived bounds\n", r.tolerance);
   fmt::format_to(out, "{:<13} {:<10}{:>10}{:>10}{:>10}  {}\n", "rule", "verdict", "passed", "violated",
                  "undecided", "largest share of its bound");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/trace/check_state.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/known_events.hpp"
 #include "verify/trace_check/text_number.hpp"
@@ -22,6 +23,7 @@ class StateJudge {
   }
 
   void judge() {
+    judge_itself();
     try {
       judge_clock();
       judge_particles();
@@ -70,6 +72,22 @@ class StateJudge {
   }
   /// Float clocks are two floats where the check has one double.
   static bool same(const Instant<Number>& a, const Instant<Number>& b) { return elapsed(a, b) == W(0); }
+
+  /// Whether it can be a state of the scene at all, and is what was written.
+  void judge_itself() {
+    const StateData& s = line_.data;
+    if (s.checksum == StateData::Checksum::absent) {
+      c_.tally.not_judged(Rule::states,
+                          "full states without a checksum are not protected: what damage did to numbers that "
+                          "the events do not decide is not seen");
+    } else {
+      expect(s.checksum == StateData::Checksum::right,
+             "the checksum of the full state is not that of its content: it was damaged or edited (an edited "
+             "one may leave the checksum out)");
+    }
+    for (const StateProblem& problem : state_problems(model_.scene, s, model_.precision.digits))
+      expect(false, fmt::format("{} {}", problem.pointer, problem.message));
+  }
 
   void judge_clock() {
     const StateData& s = line_.data;
