@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint64_t kCasesOfARound = 50;
 
 bool is_done(const LawReport& report) {
-  return report.finding || report.tally.skipped > 0;
+  const bool is_final = report.finding && report.finding->outcome.kind != Outcome::Kind::refused;
+  return is_final || report.tally.skipped > 0;
 }
 
 }  // namespace
@@ -39,8 +40,10 @@ Exploration explore(Implementation& subject, const Plan& plan, const std::functi
     const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
     for (LawReport& report : exploration.laws) {
       if (is_done(report)) continue;
-      report.finding =
-          check_law(*report.law, subject, {plan.seed, exploration.next, count}, report.tally, stop);
+      std::optional<Finding> found = check_law(
+          *report.law, subject, {plan.seed, exploration.next, count, plan.bitwise}, report.tally, stop);
+      const bool refused_again = report.finding && found && found->outcome.kind == Outcome::Kind::refused;
+      if (found && !refused_again) report.finding = std::move(found);
     }
     if (stop()) break;  // the round is asked again when going on
     exploration.next += count;

@@ -26,7 +26,9 @@ using namespace tps::properties;
 
 constexpr const char* kPropertiesFooter =
     R"(A law is judged by the unit roundoff of the implementation: hello's "bits", the table's, or --bits.
-Exit codes: 0 every law held, 1 a law is broken, 4 the implementation crashed, hung or broke the
+A law that says bitwise holds to rounding where answers differ by no more than the errors that its operation may
+make: that is said, and fails with --bitwise only. A question that has an answer must not be refused.
+Exit codes: 0 every law held, 1 a law is broken or a question refused, 4 the implementation crashed, hung or broke the
 protocol, 5 no law was met by any case, 130 interrupted.
 Examples: tps properties --minutes 5
           tps properties --law 'Eq4Laws.*' -- tps serve
@@ -48,6 +50,7 @@ struct PropertiesArguments {
   std::vector<std::string> replayed;
   std::string format = "text";
   bool quiet = false;
+  bool bitwise = false;
   std::vector<std::string> words;
 
   bool is_foreign() const { return !library.empty() || !words.empty(); }
@@ -74,6 +77,7 @@ Plan plan_of(const PropertiesArguments& a) {
   if (a.seed) plan.seed = *a.seed;
   if (!a.seed && a.minutes > 0) plan.seed = std::random_device()();
   plan.first = a.first;
+  plan.bitwise = a.bitwise;
   plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases;
   return plan;
 }
@@ -162,9 +166,12 @@ int replay(const PropertiesArguments& a) {
         ++not_asked;
         continue;
       }
-      const Examined found = examine(*regression.law, *subject, regression.shrunk);
+      const Examined found = examine(*regression.law, *subject, regression.shrunk, a.bitwise);
       if (!found.outcome.is_finding()) {
-        ++(found.outcome.kind == properties::Outcome::Kind::holds ? held : not_asked);
+        const auto kind = found.outcome.kind;
+        const bool holds =
+            kind == properties::Outcome::Kind::holds || kind == properties::Outcome::Kind::rounding;
+        ++(holds ? held : not_asked);
         continue;
       }
       ++broken;
@@ -215,6 +222,8 @@ void add_properties(CLI::App& app, int& exit_code) {
   verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)");
   verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
       ->check(CLI::Range(8, 400));
+  verb->add_flag("--bitwise", a->bitwise,
+                 "A law that says bitwise is broken where it holds to rounding only");
   verb->add_option("--timeout", a->timeout, "Seconds for a reply")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str();
