@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "properties/implementations/has_answer.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/scene/number_text.hpp"
 #include "reference/text/plain_json.hpp"
@@ -102,7 +103,9 @@ Json Interview::ask(const std::string& op, Json in) {
     case Answer::Status::skipped:
       throw Unanswered{{Outcome::Kind::skipped, fmt::format("{}: {}", op, answer.reason)}};
     case Answer::Status::refused:
-      throw Unanswered{{Outcome::Kind::outside, fmt::format("{}: {}", op, answer.reason)}};
+      throw Unanswered{
+          {has_answer(questions_.back(), subject_.format()) ? Outcome::Kind::refused : Outcome::Kind::outside,
+           fmt::format("{}: {}", op, answer.reason)}};
     default:
       throw Unanswered{{Outcome::Kind::failed, fmt::format("{}: {}", op, answer.reason)}};
   }

@@ -16,7 +16,9 @@ constexpr std::uint64_t kCasesOfARound = 50;
 bool examined(LawReport& report, Implementation& subject, const Extent& extent,
               const std::function<bool()>& stop) {
   try {
-    report.finding = check_law(*report.law, subject, extent, report.tally, stop);
+    std::optional<Finding> found = check_law(*report.law, subject, extent, report.tally, stop);
+    const bool refused_again = report.finding && found && found->outcome.kind == Outcome::Kind::refused;
+    if (found && !refused_again) report.finding = std::move(found);
     return true;
   } catch (const interrupt::Interrupted&) {
     return false;
@@ -24,7 +26,8 @@ bool examined(LawReport& report, Implementation& subject, const Extent& extent,
 }
 
 bool is_done(const LawReport& report) {
-  return report.finding || report.tally.skipped > 0;
+  const bool is_final = report.finding && report.finding->outcome.kind != Outcome::Kind::refused;
+  return is_final || report.tally.skipped > 0;
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ Exploration explore(Implementation& subject, const Plan& plan, const std::functi
     const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
     for (LawReport& report : exploration.laws) {
       if (is_done(report)) continue;
-      if (!examined(report, subject, {plan.seed, exploration.next, count}, stop)) return exploration;
+      if (!examined(report, subject, {plan.seed, exploration.next, count, plan.bitwise}, stop)) return exploration;
     }
     if (stop() || !subject.given_up().empty()) break;  // the round is asked again when going on
     exploration.next += count;

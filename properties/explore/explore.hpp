@@ -15,12 +15,13 @@ struct Plan {
   std::uint64_t seed = 20260101;
   std::uint64_t first = 0;
   std::uint64_t count = 500;  ///< cases of each law, unless `stop` says so before
+  bool bitwise = false;       ///< laws that say bitwise have to hold so
 };
 
 struct LawReport {
   const Law* law;
   Tally tally;
-  std::optional<Finding> finding;  ///< the first; the law is not asked again
+  std::optional<Finding> finding;  ///< the first; the law is not asked again, unless it is a refusal
 };
 
 struct Exploration {

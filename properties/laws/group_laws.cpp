@@ -127,9 +127,11 @@ Outcome sibling_order_is_irrelevant(Interview& ask, const Case& c) {
   const GroupVelocities other = ask.group(group);
   Outcome outcome;
   for (std::size_t n = 0; n < group.m.size(); ++n) {
-    outcome = all_of(
-        outcome, same("loaded velocity, siblings exchanged", other.loaded[n], one.loaded[n]),
-        same("velocity after restitution, siblings exchanged", other.restituted[n], one.restituted[n]));
+    outcome = all_of(outcome,
+                     same_to("loaded velocity, siblings exchanged", other.loaded[n], one.loaded[n],
+                             2 * error(group, ask.u())),
+                     same_to("velocity after restitution, siblings exchanged", other.restituted[n],
+                             one.restituted[n], 2 * error(group, ask.u())));
   }
   return outcome;
 }

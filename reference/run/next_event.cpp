@@ -6,8 +6,8 @@ namespace tps {
 namespace {
 
 template <int D>
-NextEvent next_event_in(const Scene& scene) {
-  Simulation<double, D> simulation(scene);
+NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
+  Simulation<double, D> simulation(scene, timing);
   World<double, D>& world = simulation.world();
   NextEvent event;
   const auto id = [&](int i) { return scene.particles[static_cast<std::size_t>(i)].id; };
@@ -30,8 +30,8 @@ NextEvent next_event_in(const Scene& scene) {
 
 }  // namespace
 
-NextEvent next_event(const Scene& scene) {
-  return scene.dimension == 2 ? next_event_in<2>(scene) : next_event_in<3>(scene);
+NextEvent next_event(const Scene& scene, const TimingChoice& timing) {
+  return scene.dimension == 2 ? next_event_in<2>(scene, timing) : next_event_in<3>(scene, timing);
 }
 
 }  // namespace tps

@@ -31,7 +31,9 @@ using namespace tps::properties;
 
 constexpr const char* kPropertiesFooter =
     R"(A law is judged by the unit roundoff of the implementation: hello's "bits", the table's, or --bits.
-Exit codes: 0 every law held, 1 a law is broken, 4 the implementation crashed, hung or broke the
+A law that says bitwise holds to rounding where answers differ by no more than the errors that its operation may
+make: that is said, and fails with --bitwise only. A question that has an answer must not be refused.
+Exit codes: 0 every law held, 1 a law is broken or a question refused, 4 the implementation crashed, hung or broke the
 protocol, 5 no law was met by any case, 130 interrupted.
 Examples: tps properties --minutes 5
           tps properties --law 'Eq4Laws.*' -- tps serve
@@ -53,6 +55,7 @@ struct PropertiesArguments {
   std::vector<std::string> replayed;
   std::string format = "text";
   bool quiet = false;
+  bool bitwise = false;
   std::vector<std::string> words;
 
   bool is_foreign() const { return !library.empty() || !words.empty(); }
@@ -77,6 +80,7 @@ Plan plan_of(const PropertiesArguments& a) {
   if (a.seed) plan.seed = *a.seed;
   if (!a.seed && a.minutes > 0) plan.seed = std::random_device()();
   plan.first = a.first;
+  plan.bitwise = a.bitwise;
   plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases;
   return plan;
 }
@@ -164,22 +168,24 @@ int explore_laws(const PropertiesArguments& a) {
   return exit_code_of(exploration);
 }
 
-void replay_file(const std::string& path, Implementation& subject, Replay& replay) {
+void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replay& replay) {
   std::ifstream file(path, std::ios::binary);
   std::error_code unknown;
   if (!file || std::filesystem::is_directory(path, unknown))
     throw InputError({{path, 0, "", "cannot be read; name regression files"}});
+  using Kind = properties::Outcome::Kind;
   for (const Regression& regression : read_regressions(file, path)) {
     if (!fits(regression.shrunk, subject.format()) || !subject.given_up().empty()) {
       ++replay.not_asked;
       continue;
     }
-    const Examined found = examine(*regression.law, subject, regression.shrunk);
+    const Examined found = examine(*regression.law, subject, regression.shrunk, bitwise);
+    const Kind kind = found.outcome.kind;
     if (found.outcome.is_finding()) {
       replay.findings.push_back(
           {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions});
     } else {
-      ++(found.outcome.kind == properties::Outcome::Kind::holds ? replay.held : replay.not_asked);
+      ++(kind == Kind::holds || kind == Kind::rounding ? replay.held : replay.not_asked);
     }
   }
 }
@@ -187,7 +193,7 @@ void replay_file(const std::string& path, Implementation& subject, Replay& repla
 int replay_cases(const PropertiesArguments& a) {
   const auto subject = subject_of(a);
   Replay replay{subject->name(), 0, 0, {}};
-  for (const std::string& path : a.replayed) replay_file(path, *subject, replay);
+  for (const std::string& path : a.replayed) replay_file(path, a.bitwise, *subject, replay);
   write_result("-", a.format == "json" ? replay_json(replay) : replay_text(replay));
   say_given_up(*subject);
   for (const Finding& finding : replay.findings)
@@ -246,6 +252,8 @@ void add_properties(CLI::App& app, int& exit_code, Dashes dashes) {
   verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)");
   verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
       ->check(CLI::Range(8, 400));
+  verb->add_flag("--bitwise", a->bitwise,
+                 "A law that says bitwise is broken where it holds to rounding only");
   verb->add_option("--timeout", a->timeout, "Seconds for a reply")
       ->check(number_from(0.001, 3600, "a time limit in seconds"))
       ->capture_default_str();

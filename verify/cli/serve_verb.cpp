@@ -30,7 +30,7 @@ void add_serve(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "serve", "Answers requests on standard input, one a line, with certified values (docs/protocol.md).");
   verb->footer(fmt::format(R"(Operations: {}
-All values are correctly rounded, but for next_event, which is simulated in double.
+All values are correctly rounded, where an answer is not flagged.
 Example: echo '{{"seq":1,"op":"block_time","in":{{"u_A":[0,0],"u_B":[5,0],"v_A":[1,0],"v_B":[0,0],"L":1}}}}' | tps serve)",
                            fmt::join(protocol::operation_names(), ", ")));
   verb->callback([&exit_code] { exit_code = serve(); });

@@ -117,8 +117,18 @@ void read_all(const std::vector<std::string>& files, const vectors::VectorsVisit
 
 constexpr std::size_t kLongestReply = std::size_t{1} << 20U;
 
-/// Replies by the number of the case in the files as given (seq), or by its id.
-using Replies = std::unordered_map<std::string, Json>;
+/// Replies by the number of the case in the files as given (seq), or by its id; and the operations that the
+/// answer to hello names, if one is there.
+struct Replies {
+  std::unordered_map<std::string, Json> by_case;
+  std::set<std::string> offered;
+
+  const Json* find(const Json& known, std::uint64_t seq) const {
+    auto reply = by_case.find(known.at("id").dump());
+    if (reply == by_case.end()) reply = by_case.find(std::to_string(seq));
+    return reply == by_case.end() ? nullptr : &reply->second;
+  }
+};
 
 void require_distinct(const std::vector<std::string>& files, const std::string& answers = "") {
   NamedFiles named;
@@ -144,13 +154,18 @@ Replies read_replies(const std::string& path) {
     }
     Json reply = parse_plain_json(line, display_name(path), {}, number);
     const bool named = reply.is_object() && (reply.contains("id") || reply.contains("seq"));
-    if (reply.is_object() && reply.contains("name") && !named) continue;  // the answer to hello
+    if (reply.is_object() && reply.contains("name") && !named) {  // the answer to hello
+      for (const Json& op : reply.value("ops", Json::array())) {
+        if (op.is_string()) replies.offered.insert(op.get<std::string>());
+      }
+      continue;
+    }
     if (!named) {
       throw InputError(
           {{path, number, "", R"(is not a reply; allowed: {"id":…,"out":{…}} or {"seq":n,"out":{…}})"}});
     }
     const std::string key = (reply.contains("id") ? reply["id"] : reply["seq"]).dump();
-    replies[key] = std::move(reply);
+    replies.by_case[key] = std::move(reply);
   }
   return replies;
 }
@@ -160,27 +175,47 @@ class Findings {
  public:
   void problem(const vectors::Place& place, const std::string& text) {
     ++problems_;
-    if (problems_ <= shown)
-      say("{}:{}: {}\n", printable(place.file), place.line, printable(text, kLongestProblem));
-    if (problems_ == shown + 1) say("… further problems are counted only\n");
+    report(place, text);
+  }
+  void refusal(const vectors::Place& place, const std::string& text) {
+    ++refused_;
+    report(place, text);
   }
   void judged() { ++judged_; }
   void skipped() { ++skipped_; }
 
   int conclude(const std::string& what) const {
     Output out("-");
-    out.write(fmt::format("{} {}, {} wrong{}\n", judged_, what, problems_,
-                          skipped_ > 0 ? fmt::format(", {} without an answer", skipped_) : ""));
+    const auto counted = [](std::uint64_t count, const char* words) {
+      return count > 0 ? fmt::format(", {} {}", count, words) : "";
+    };
+    out.write(fmt::format("{} {}, {} wrong{}{}\n", judged_, what, problems_,
+                          counted(refused_, "refused or without an answer"),
+                          counted(skipped_, "of operations that are not offered")));
     out.close();
-    if (problems_ > 0) return kViolation;
+    if (problems_ > 0 || refused_ > 0) return kViolation;
     return judged_ == 0 ? kUndecided : kDone;
   }
 
  private:
+  void report(const vectors::Place& place, const std::string& text) {
+    const std::uint64_t reported = problems_ + refused_;
+    if (reported <= shown)
+      say("{}:{}: {}\n", printable(place.file), place.line, printable(text, kLongestProblem));
+    if (reported == shown + 1) say("… further problems are counted only\n");
+  }
+
   static constexpr std::uint64_t shown = 20;
   static constexpr std::size_t kLongestProblem = 1000;
-  std::uint64_t judged_ = 0, problems_ = 0, skipped_ = 0;
+  std::uint64_t judged_ = 0, problems_ = 0, refused_ = 0, skipped_ = 0;
 };
+
+/// What a case is called in messages.
+std::string name_of(const Json& known) {
+  return known.is_object() && known.contains("id") && known.at("id").is_string()
+             ? known.at("id").get<std::string>()
+             : "case";
+}
 
 int verify_cases(const std::vector<std::string>& files) {
   require_distinct(files);
@@ -188,7 +223,7 @@ int verify_cases(const std::vector<std::string>& files) {
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      findings.judged();
                      const auto wrong = vectors::wrong_in_case(op, known);
-                     if (wrong) findings.problem(place, known.value("id", "case") + ": " + *wrong);
+                     if (wrong) findings.problem(place, name_of(known) + ": " + *wrong);
                    },
                    [&](const std::string& problem, const vectors::Place& place) {
                      findings.problem(place, problem);
@@ -196,23 +231,55 @@ int verify_cases(const std::vector<std::string>& files) {
   return findings.conclude("cases proven again");
 }
 
+/// The first line of what somebody else wrote.
+std::string shortened(const Json& reply) {
+  constexpr std::size_t longest = 200;
+  const std::string text = reply.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() <= longest ? text : text.substr(0, longest) + "…";
+}
+
+struct AskedCase {
+  std::string op, id;
+  vectors::Place place;
+};
+
+/// A known answer asks a question of its operation, so whoever offers the operation has to answer it: an
+/// error, silence or a skip is then a refusal. An operation is offered by the answer to hello or by any
+/// answer.
 int verify_answers(const std::vector<std::string>& files, const std::string& answers) {
   require_distinct(files, answers);
-  const Replies replies = read_replies(answers);
+  Replies replies = read_replies(answers);
+  const bool said_hello = !replies.offered.empty();
   Findings findings;
   std::uint64_t seq = 0;
+  std::vector<AskedCase> skips;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      ++seq;
-                     auto reply = replies.find(known.at("id").dump());
-                     if (reply == replies.end()) reply = replies.find(std::to_string(seq));
-                     if (reply == replies.end() || !reply->second.contains("out")) return findings.skipped();
-                     findings.judged();
-                     const auto wrong = vectors::wrong_in_answer(op, known, reply->second.at("out"));
-                     if (wrong) findings.problem(place, known.at("id").get<std::string>() + ": " + *wrong);
+                     const std::string id = name_of(known);
+                     const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
+                     if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
+                     if (reply->contains("out")) {
+                       if (!said_hello) replies.offered.insert(op);
+                       findings.judged();
+                       const auto wrong = vectors::wrong_in_answer(op, known, reply->at("out"));
+                       if (wrong) findings.problem(place, id + ": " + *wrong);
+                     } else if (reply->contains("skip")) {
+                       skips.push_back({op, id, place});
+                     } else {
+                       findings.refusal(place, fmt::format("{}: is refused: {}", id, shortened(*reply)));
+                     }
                    },
                    [&](const std::string& problem, const vectors::Place& place) {
                      findings.problem(place, problem);
                    }});
+  for (const AskedCase& skipped : skips) {
+    if (!replies.offered.contains(skipped.op)) {
+      findings.skipped();
+    } else {
+      findings.refusal(skipped.place,
+                       fmt::format("{}: is skipped, though {} is offered", skipped.id, skipped.op));
+    }
+  }
   return findings.conclude("answers judged");
 }
 
@@ -220,12 +287,16 @@ void write_requests(const std::vector<std::string>& files) {
   require_distinct(files);
   Output out("-");
   std::uint64_t seq = 0;
-  read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place&) {
-                     out.write(Json{{"seq", ++seq}, {"op", op}, {"in", known.at("in")}}.dump() + "\n");
-                   },
-                   [](const std::string& problem, const vectors::Place& place) {
-                     throw InputError({{place.file, place.line, "", problem}});
-                   }});
+  read_all(files,
+           {[&](const std::string& op, const Json& known, const vectors::Place& place) {
+              if (!known.is_object() || !known.contains("in")) {
+                throw InputError({{place.file, place.line, "", "the case has no \"in\", its question"}});
+              }
+              out.write(Json{{"seq", ++seq}, {"op", op}, {"in", known.at("in")}}.dump() + "\n");
+            },
+            [](const std::string& problem, const vectors::Place& place) {
+              throw InputError({{place.file, place.line, "", problem}});
+            }});
   out.close();
 }
 
@@ -260,7 +331,9 @@ void add_verify(CLI::App& verb, int& exit_code) {
   verifying->add_option("files", a->files, "Known-answer files, - for standard input")->required();
   verifying->add_option("--answers", a->answers, "Replies of an implementation, - for standard input");
   verifying->footer(
-      "Exit code 1 if a case or an answer is wrong, 5 if there was none.\n"
+      "Exit code 1 if a case or an answer is wrong, or a question of an operation that is offered is "
+      "refused;\n"
+      "5 if nothing was judged.\n"
       "Example: tps vectors requests V | ./my-program | tps vectors verify V --answers -");
   verifying->callback([a, &exit_code] {
     exit_code = a->answers.empty() ? verify_cases(a->files) : verify_answers(a->files, a->answers);

@@ -77,7 +77,7 @@ const std::vector<Compound>& compounds() {
        R"({"first":{"kind":"block"|"tether",u_A,u_B,v_A,v_B,L},"second":…})", "certified"},
       {"group", "velocities of bodies grouped by collisions, eqs. (3)-(7)",
        R"({"bodies":[{m,u,v},…],"collisions":[{i,j,"limit":"inner",c},…]})", "certified"},
-      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "double"},
+      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "certified"},
   };
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -69,6 +70,8 @@ void read_vectors(std::istream& in, const std::string& name, const VectorsVisito
       visitor.problem(printable(error.what(), longest_reason), place);
     } catch (const std::invalid_argument& error) {
       visitor.problem(error.what(), place);
+    } catch (const std::bad_alloc&) {
+      visitor.problem("not enough memory for this case", place);
     }
   }
   if (!section)
