@@ -100,7 +100,7 @@ void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const Bo
     const auto [found, right] = told_apart(dp, expected.response.dp, c.model.scene.dimension);
     f.message =
         fmt::format("Δp of {} is {}, but eq. {} gives {}", c.pair(b.i, b.j), found, expected.equation, right);
-    f.reading = reading_of_impulse(c, event, b, expected, dp);
+    f.reading = reading_of_impulse(c, event, b, expected, dp, W(0));
     detail::describe_impulse(c, b, event, expected, f);
   });
 }
@@ -110,7 +110,8 @@ void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const Bo
 template <typename Number>
 void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& event, int particle,
                           const Vec<Work<Number>>& before, const Vec<Work<Number>>& impulse,
-                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads) {
+                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads,
+                          const std::string& reading = {}) {
   using W = Work<Number>;
   using std::abs;
   const InvolvedParticle<Number>* p = event.of(particle);
@@ -125,6 +126,7 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
     f.message = fmt::format("particle {} leaves with velocity {}, but v + Δp/m is {}", c.model.id(particle),
                             found, right);
     f.equation = "(3)";
+    f.reading = reading;
     ReplayInput in(c.model.scene.dimension);
     in.number("m_A", mass_of(inverse_mass))
         .number("m_B", HUGE_VAL)
@@ -153,14 +155,15 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
 /// v + Δp/m on both sides, each to its rounding and that of a direction.
 template <typename Number>
 void judge_parted(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads) {
+                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads,
+                  const std::string& reading = {}) {
   using W = Work<Number>;
   const DirectedSlack<W> slack = slack_of_parting(c, event, b, outer, dp, error, loads);
   const auto moved = [](const W& by, const W& inverse) { return inverse > W(0) ? W(by / inverse) : W(0); };
   judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + moved(slack.of_i, b.inverse_i)), b.inverse_i,
-                       loads);
+                       loads, reading);
   judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, W(error + moved(slack.of_j, b.inverse_j)),
-                       b.inverse_j, loads);
+                       b.inverse_j, loads, reading);
 }
 
 /// Without an impulse nothing is computed: velocities stay, to the last bit.
@@ -190,7 +193,8 @@ void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& ev
   if (!event.dp && is_vague(c, b, expected)) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads);
+  const std::string reading = event.dp ? "" : reading_of_velocities(c, event, b, expected);
+  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads, reading);
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.
