@@ -98,6 +98,31 @@ TEST(Bounds, OfRevolutionsAreTightForAnyAngleAndCondition) {
   shares.expect_tight();
 }
 
+// What decides between retraction and revolution, as a run computes it and as it is.
+TEST(Bounds, OfTheKindOfATetheringCollisionAreTight) {
+  Shares shares;
+  for (const double theta : {1e-6, 22.0, 45.0, 89.0, 90 - 1e-6}) {
+    for (const double across : {1e3, 1.0, 1e-4, 1e-12}) {
+      const double c = .7;
+      Bench bench({.c_retract = c, .theta = theta});
+      const PairRules<double> rules = bench.rules<double>();
+      for (int n = 0; n < kCases; ++n) {
+        const Given given = bench.draw({.across_per_along = across, .outer = true});
+        const auto frame = collision_frame<double, 3>(given.u_i, given.u_j, given.v_i, given.v_j);
+        const BodiesNow<double> b = bench.bodies_of(given);
+        const double tangential = norm<double, 3>(frame.v_w);
+        const long double computed =
+            static_cast<long double>(std::abs(c * frame.v_n)) - tan_degrees(theta) * tangential;
+        const long double exact =
+            static_cast<long double>(c) * b.v_n() - rules.tan_theta * length(b.across());
+        shares.note("kind", fmt::format("theta {:g}, |v_w|/|v_n| {:g}", theta, across),
+                    static_cast<double>(std::fabs(computed - exact) / margin_of_kind(b, rules, 0x1p-53L)));
+      }
+    }
+  }
+  shares.expect_tight(.01);
+}
+
 TEST(Bounds, OfLoadsAreTightForAnyMassesAndDepth) {
   Shares shares;
   for (const double ratio : {1e-15, 1e-4, 0.9, 1e7, 1e15}) {

@@ -33,6 +33,15 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
 
 }  // namespace detail
 
+/// How far c_retract v_n and tan θ |v_ŵ| may be computed from each other: both sides have six roundings of
+/// |v|, the tangent two more; positions add the turn of the axis.
+template <typename Number>
+Work<Number> margin_of_kind(const BodiesNow<Number>& b, const PairRules<Number>& rules,
+                            const Work<Number>& u) {
+  using W = Work<Number>;
+  return (W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) * (W(rules.c_retract) + rules.tan_theta);
+}
+
 /// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the
 /// boundary both are.
 template <typename Number>
@@ -44,10 +53,7 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   const W across = length(b.across());
   const W pulled = abs(W(rules.c_retract) * v_n);
   const W needed = rules.tan_theta * across;
-  // Both sides have six roundings of |v|; positions add the turn of the axis, the tangent two more.
-  const W turn = c.u() + b.blur / b.distance();
-  const W unit = W(8) * turn * length(b.v) * (W(rules.c_retract) + rules.tan_theta) * c.scale() +
-                 c.model.precision.smallest;
+  const W unit = margin_of_kind(b, rules, c.u()) * c.scale() + c.model.precision.smallest;
   const bool retracts = event.kind == Kind::retract;
   const bool boundary = abs(pulled - needed) <= unit || (v_n <= W(0) && !retracts);
   const bool right = boundary || (retracts ? pulled > needed : pulled < needed && across > W(0));
