@@ -21,7 +21,12 @@ struct BodiesNow {
   W distance() const { return length(r); }
   Vec<W> axis() const { return W(W(1) / length(r)) * r; }
   W v_n() const { return dot(v, r) / length(r); }
-  Vec<W> across() const { return v - W(dot(v, r) / dot(r, r)) * r; }
+  /// v_ŵ; what a difference of nearly equal vectors leaves along r is taken off once more.
+  Vec<W> across() const {
+    const W rr = dot(r, r);
+    const Vec<W> rest = v - W(dot(v, r) / rr) * r;
+    return rest - W(dot(rest, r) / rr) * r;
+  }
 };
 
 /// The bodies of i and j at an event: positions as recorded (where the trace has none, the model's),

@@ -37,8 +37,9 @@ Work<Number> turn_of_axis(const BodiesNow<Number>& b) {
 
 /// Eq. (4): Δp = (1 + c) μ v_n û; nothing where the sign of v_n is the wrong one.
 ///
-/// v_n is a sum of products of the size of |v|: its error is u |v|, whatever it is itself. The masses of
-/// bodies were added up rounded: that is an error of μ.
+/// v_n is a sum of products of the size of |v|, so that 8 of its roundings are of that size, whatever it is
+/// itself: of r, v_AB, û and the sum. What then multiplies it has 13, of the size of v_n: û again with its
+/// length, μ, 1 + c and the products. The masses of bodies were added up rounded: that is an error of μ.
 template <typename Number>
 Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored, bool outer,
                               const Work<Number>& u) {
@@ -50,7 +51,8 @@ Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored
   const bool acts = outer ? v_n > W(0) : v_n < W(0);
   const W speed = length(b.v);
   const W turn = detail::turn_of_axis(b);
-  const W rounding = (W(1) + c) * b.mu * (speed * u + W(b.loads) * abs(v_n) * u / W(6));
+  const W rounding =
+      (W(1) + c) * b.mu * u * (W(8) * speed + W(13 + 2 * b.loads) * abs(v_n)) / W(kRoundingsOfImpulse);
   // û and v_n û turn with the axis; by a right angle and more everything is possible.
   const W turned = (W(1) + c) * b.mu * std::min(W(W(2) * speed * turn), W(W(2) * speed));
   Response<W> response{{}, b.v, rounding + turned / W(kRoundingsOfImpulse), rounding, W(0)};

@@ -92,6 +92,7 @@ class Tally {
   /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
   bool seen_before(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
+    seen_.resize(std::size_t{1} << 16U);
     std::uint64_t& slot = seen_[(bits * 0x9e3779b97f4a7c15U) >> 48U];
     return std::exchange(slot, bits) == bits;
   }
@@ -119,7 +120,7 @@ class Tally {
   std::uint64_t max_reports_;
   std::map<std::string, Residuals> residuals_;
   std::map<Rule, std::string> vague_;
-  std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(std::size_t{1} << 16U);
+  std::vector<std::uint64_t> seen_;
 };
 
 }  // namespace tps::check

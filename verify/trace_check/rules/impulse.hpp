@@ -34,6 +34,15 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
 
 }  // namespace detail
 
+/// How far c_retract v_n and tan θ |v_ŵ| may be computed from each other: both sides have six roundings of
+/// |v|, the tangent two more; positions add the turn of the axis.
+template <typename Number>
+Work<Number> margin_of_kind(const BodiesNow<Number>& b, const PairRules<Number>& rules,
+                            const Work<Number>& u) {
+  using W = Work<Number>;
+  return (W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) * (W(rules.c_retract) + rules.tan_theta);
+}
+
 /// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the
 /// boundary both are.
 template <typename Number>
@@ -45,10 +54,7 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   const W across = length(b.across());
   const W pulled = abs(W(rules.c_retract) * v_n);
   const W needed = rules.tan_theta * across;
-  // Both sides have six roundings of |v|; positions add the turn of the axis, the tangent two more.
-  const W turn = c.u() + b.blur / b.distance();
-  const W unit = W(8) * turn * length(b.v) * (W(rules.c_retract) + rules.tan_theta) * c.scale() +
-                 c.model.precision.smallest;
+  const W unit = margin_of_kind(b, rules, c.u()) * c.scale() + c.model.precision.smallest;
   const bool retracts = event.kind == Kind::retract;
   const bool boundary = abs(pulled - needed) <= unit || (v_n <= W(0) && !retracts);
   const bool right = boundary || (retracts ? pulled > needed : pulled < needed && across > W(0));
@@ -101,7 +107,7 @@ void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const Bo
     const auto [found, right] = told_apart(dp, expected.response.dp, c.model.scene.dimension);
     f.message =
         fmt::format("Δp of {} is {}, but eq. {} gives {}", c.pair(b.i, b.j), found, expected.equation, right);
-    f.reading = reading_of_impulse(c, event, b, expected, dp);
+    f.reading = reading_of_impulse(c, event, b, expected, dp, W(0));
     detail::describe_impulse(c, b, event, expected, f);
   });
 }
@@ -111,7 +117,8 @@ void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const Bo
 template <typename Number>
 void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& event, int particle,
                           const Vec<Work<Number>>& before, const Vec<Work<Number>>& impulse,
-                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads) {
+                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads,
+                          const std::string& reading = {}) {
   using W = Work<Number>;
   using std::abs;
   const InvolvedParticle<Number>* p = event.of(particle);
@@ -126,6 +133,7 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
     f.message = fmt::format("particle {} leaves with velocity {}, but v + Δp/m is {}", c.model.id(particle),
                             found, right);
     f.equation = "(3)";
+    f.reading = reading;
     ReplayInput in(c.model.scene.dimension);
     in.number("m_A", mass_of(inverse_mass))
         .number("m_B", HUGE_VAL)
@@ -154,14 +162,15 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
 /// v + Δp/m on both sides, each to its rounding and that of a direction.
 template <typename Number>
 void judge_parted(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads) {
+                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads,
+                  const std::string& reading = {}) {
   using W = Work<Number>;
   const DirectedSlack<W> slack = slack_of_parting(c, event, b, outer, dp, error, loads);
   const auto moved = [](const W& by, const W& inverse) { return inverse > W(0) ? W(by / inverse) : W(0); };
   judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + moved(slack.of_i, b.inverse_i)), b.inverse_i,
-                       loads);
+                       loads, reading);
   judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, W(error + moved(slack.of_j, b.inverse_j)),
-                       b.inverse_j, loads);
+                       b.inverse_j, loads, reading);
 }
 
 /// Without an impulse nothing is computed: velocities stay, to the last bit.
@@ -191,7 +200,8 @@ void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& ev
   if (!event.dp && is_vague(c, b, expected)) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads);
+  const std::string reading = event.dp ? "" : reading_of_velocities(c, event, b, expected);
+  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads, reading);
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.

@@ -29,10 +29,11 @@ inline constexpr const char* kNoPull =
 template <typename Number>
 std::string reading_of_impulse(const Context<Number>& c, const EventLine<Number>& event,
                                const BodiesNow<Number>& b, const Expected<Work<Number>>& expected,
-                               const Vec<Work<Number>>& dp) {
+                               const Vec<Work<Number>>& dp, const Work<Number>& dp_error) {
   using W = Work<Number>;
   const auto is = [&](const Response<W>& other) {
-    const W bound = W(kRoundingsOfImpulse) * other.error * c.scale() + c.model.precision.smallest;
+    const W bound =
+        (W(kRoundingsOfImpulse) * other.error + dp_error) * c.scale() + c.model.precision.smallest;
     return largest(dp - other.dp) <= bound && largest(expected.response.dp - other.dp) > bound;
   };
   PairRules<Number> rules = c.model.rules.of(b.i, b.j);
@@ -47,6 +48,19 @@ std::string reading_of_impulse(const Context<Number>& c, const EventLine<Number>
     return readings::kWrongSign;
   }
   return {};
+}
+
+/// The same where Δp is not recorded: by what the lighter body gains.
+template <typename Number>
+std::string reading_of_velocities(const Context<Number>& c, const EventLine<Number>& event,
+                                  const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
+  using W = Work<Number>;
+  const bool of_i = b.inverse_i >= b.inverse_j;
+  const W mass = W(1) / (of_i ? b.inverse_i : b.inverse_j);
+  const Vec<W> before = of_i ? b.v_i : b.v_j;
+  const Vec<W> after = widened<W>(event.of(of_i ? b.i : b.j)->velocity_after);
+  const W rounding = W(4) * c.u() * mass * (largest(before) + largest(after));
+  return reading_of_impulse(c, event, b, expected, W(of_i ? mass : W(-mass)) * (after - before), rounding);
 }
 
 /// Of a contact that is at the limit at another time than it should be, or that comes again.
