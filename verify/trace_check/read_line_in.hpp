@@ -249,8 +249,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
 
   EndLine<Number> end(const dom::object& line) const {
     static const std::vector<std::string> keys = {"end", "events", "t"};
-    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled",
-                                                     "interrupted"};
+    static const std::vector<std::string> reasons = {"duration", "max_events",  "no_more_events",
+                                                     "stalled",  "interrupted", "out_of_range"};
     std::set<std::string_view> seen;
     for (const auto [key, ignored] : line) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
