@@ -117,6 +117,18 @@ def refuse_shared_files(tps, failures):
                 words = words_of(text, a=a, b=b)
                 code, _, err = processes.run([tps, *words], cwd=scratch)
                 failures.expect(code == 0 and contents(folder) == before, f"{' '.join(words)}: {code}, {err}")
+        for text, name in (("run - -q -o {a}", "scene"), ("check - -o {a}", "trace"), ("import - -o {a}", "scenario"), ("check - --witness {a}", "trace")):
+            for a in aliases(folder, name):
+                before = contents(folder)
+                with open(folder / name, "rb") as given:
+                    code, _, err = processes.run([tps, *words_of(text, a=a)], cwd=scratch, stdin=given)
+                failures.expect(code == USAGE and contents(folder) == before, f"{text} < {name}: {code}, {err}")
+        for text in ("run scene -q -o made", "check trace -o made", "check trace --witness made", "draw trace -o made"):
+            for stream in ("stdout", "stderr"):
+                with open(folder / "made", "wb") as end:
+                    code, _, err = processes.run([tps, *text.split()], cwd=scratch, **{stream: end})
+                failures.expect(code == USAGE and (stream == "stderr" or not (folder / "made").read_bytes()), f"{text}, and made as its {stream}: {code}, {err}")
+        (folder / "made").unlink()
         code, _, err = processes.run([tps, "run", "scene", "-q", "-o", "/dev/null"], cwd=scratch)
         failures.expect(code == 0, f"-o /dev/null: {code}, {err}")
         code, _, err = processes.run([tps, "run", "scene", "-q", "--checkpoint", "/dev/null"], cwd=scratch)

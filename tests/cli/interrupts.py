@@ -58,8 +58,8 @@ STATES = ([State(words, stdin=True) for words in READING] + [State(words) for wo
     State("properties --quiet --timeout 3000 -- hostile deaf"),
     State("properties --quiet --timeout 3000 -- hostile flood_stderr"),
     State("properties --quiet --timeout 3000 -- sleep 1000"),
-    State("properties --quiet --timeout 3000 --library hostile.so", environment={"HOSTILE": "hang"}),
-    State("properties --quiet --timeout 3000 --library hostile.so", environment={"HOSTILE": "session_hang"}),
+    State("properties --quiet --timeout 3000 --library ./hostile.so", environment={"HOSTILE": "hang"}),
+    State("properties --quiet --timeout 3000 --library ./hostile.so", environment={"HOSTILE": "session_hang"}),
     State("properties --quiet --cases 100000 --timeout 3000 -- hostile crash", computes=True),
 ])
 
