@@ -55,6 +55,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
       joined.members = std::move(merged);
     }
     joined.expiry = after(world.now, dt_restitute_);
+    require_range(world, c, joined);
     const auto side_of = [&](int i) { return world.fixed(i) ? Node::kInfiniteMass : forest_.side_of(i); };
     forest_.join({c.i, c.j, c.limit, {side_of(c.i), side_of(c.j)}, {c.mass_i, c.mass_j}, dp_stored}, joined);
 
@@ -96,6 +97,15 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   }
 
  private:
+  /// A sum of finite masses is finite, and so is a time that a finite one ends.
+  void require_range(const World<Scalar, D>& world, const Collision<Scalar, D>& c, const Body& joined) const {
+    const bool finite_masses = is_finite(c.mass_i) && is_finite(c.mass_j);
+    const std::string of = " of the group of " + pair_name(world.scene, c.i, c.j);
+    if (finite_masses && !is_finite(joined.mass)) throw OutOfRange("the mass" + of);
+    if (is_finite(dt_restitute_) && joined.expiry == Time<Scalar>::never())
+      throw OutOfRange("the restitution" + of);
+  }
+
   void part(World<Scalar, D>& world, int n) {
     const std::vector<int> members_i = forest_.members_of(forest_.node(n).side[0]);
     const std::vector<int> members_j = forest_.members_of(forest_.node(n).side[1]);

@@ -14,15 +14,6 @@ namespace tps {
 
 namespace detail {
 
-template <typename Scalar, int D>
-bool all_finite(const Vector<Scalar, D>& x) {
-  using std::abs;
-  for (int k = 0; k < D; ++k) {
-    if (!(abs(x[k]) <= (std::numeric_limits<Scalar>::max)())) return false;
-  }
-  return true;
-}
-
 /// (u_B − u_A)·(v_B − v_A) without component `without`.
 template <typename Scalar, int D>
 Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
@@ -44,7 +35,7 @@ Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, con
 /// A rounded sum decides where its error cannot: two differences, a product and at most two additions a term
 /// are at most 5 · 2u of Σ|r_k w_k| even where subtraction errs by 0.75 ulp, 16 · 2u with its own rounding;
 /// an underflow adds less than the smallest normal number. Else integers decide.
-/// REQUIRES finite inputs. Laws: (1) exchanging A and B keeps it; (2) exchanging velocities flips it;
+/// 0 where an input is not finite. Laws: (1) exchanging A and B keeps it; (2) exchanging velocities flips it;
 /// (3) lengths or velocities times 2^k keep it.
 template <typename Scalar, int D>
 int normal_sign(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
@@ -61,6 +52,8 @@ int normal_sign(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, cons
   if (abs(sum) > Scalar(16) * Limits::epsilon() * size + (Limits::min)() && size <= (Limits::max)()) {
     return sum > Scalar(0) ? 1 : -1;
   }
+  const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
+  if (!finite(u_A) || !finite(u_B) || !finite(v_A) || !finite(v_B)) return 0;
   return detail::exact_dot<Scalar, D>(u_A, u_B, v_A, v_B, -1).sign();
 }
 
@@ -116,7 +109,7 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
                                    const std::type_identity_t<Scalar>& m_B, PairVelocities<Scalar, D> v,
                                    Leaving leaving) {
   using std::abs;
-  const auto finite = [](const Vector<Scalar, D>& x) { return detail::all_finite<Scalar, D>(x); };
+  const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
   if (!finite(u_A) || !finite(u_B) || !finite(v.v_A) || !finite(v.v_B)) return v;
   if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
   const int k = detail::largest_component<Scalar, D>(u_B - u_A);

@@ -78,6 +78,19 @@ Scalar rounded_quotient(const Dyadic& a, const Dyadic& b, Rounding rounding) {
   return negative ? Scalar(-magnitude) : magnitude;
 }
 
+/// The number of the scalar nearest to a; of two, the one whose last digit is even. REQUIRES that a is in its
+/// range, and a multiple of its smallest number.
+template <typename Scalar>
+Scalar nearest(const Dyadic& a) {
+  const Dyadic one{1, 0};
+  const Scalar down = rounded_quotient<Scalar>(a, one, Rounding::down);
+  const Scalar up = rounded_quotient<Scalar>(a, one, Rounding::up);
+  if (down == up) return down;
+  const int side = ((a - dyadic(down)) - (dyadic(up) - a)).sign();
+  if (side != 0) return side < 0 ? down : up;
+  return bit_test(abs(dyadic(down).digits), 0) ? up : down;
+}
+
 /// The next number of the scalar upwards or downwards. REQUIRES x finite.
 template <typename Scalar>
 Scalar next_number(const Scalar& x, Rounding rounding) {

@@ -106,6 +106,7 @@ void visit_quantities(Ledger& ledger, Statistics& statistics, Visit visit) {
 template <typename Statistics, typename Visit>
 void visit_counts(Statistics& statistics, Visit visit) {
   visit("#noise", statistics.noise);
+  visit("#first_noise", statistics.first_noise);
   visit("#zero_impulse", statistics.zero_impulse);
   visit("#largest_group", statistics.largest_group);
 }

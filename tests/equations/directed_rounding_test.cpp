@@ -86,8 +86,8 @@ bool judge(const Answered<Scalar, D>& c) {
     if (from == to) continue;
     ++changed;
     EXPECT_TRUE(of_A ? c.m_A <= c.m_B : c.m_B <= c.m_A) << "the heavier body was changed";
-    // docs/engine.md: less than 15 √D u of the fastest component's √D, and the rounding.
-    EXPECT_LE(Scalar(abs(to - from)), Scalar(15 * D + 2) * roundoff<Scalar>() * fastest(c));
+    // docs/engine.md: 54 D u of the largest component, and the rounding.
+    EXPECT_LE(Scalar(abs(to - from)), Scalar(54 * D + 2) * roundoff<Scalar>() * fastest(c));
     if (c.leaving == Leaving::together) continue;
     PairVelocities<Scalar, D> nearer = v;
     (of_A ? nearer.v_A[k] : nearer.v_B[k - D]) = next_number(to, to > from ? Rounding::down : Rounding::up);

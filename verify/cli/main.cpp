@@ -33,8 +33,8 @@ std::string version_text() {
 
 constexpr const char* kFooter =
     R"(Exit codes: 0 done, 1 a check found a violation, 2 usage, 3 bad input data, 4 another program
-failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 70 an error of ours,
-130 interrupted.
+failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 8 the run left the range
+of its scalar, 70 an error of ours, 130 interrupted.
 Example: tps run data/scenes/three-body.json)";
 
 int report(const char* what, int exit_code) {

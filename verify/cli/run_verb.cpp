@@ -106,6 +106,15 @@ int run(RunArguments& a) {
     say("tps: the run stalled: {}\n", stall_message(summary));
     return kStalled;
   }
+  if (summary.end == "out_of_range") {
+    fmt::print(stderr, "tps: the run left the range of its scalar: {}\n", range_message(summary));
+    return kOutOfRange;
+  }
+  if (!conserves(summary)) {
+    fmt::print(stderr,
+               "tps: energy or momentum is beyond its bound, which no run should be; please report it\n");
+    return kViolation;
+  }
   return summary.end == "interrupted" ? kInterrupted : kDone;
 }
 

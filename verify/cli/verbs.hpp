@@ -32,6 +32,7 @@ enum ExitCode : int {
   kUndecided = 5,
   kStalled = 6,
   kOutputFailed = 7,
+  kOutOfRange = 8,
   kInternal = 70,
   kInterrupted = 130,
 };
