@@ -76,8 +76,7 @@ class StateJudge {
     expect(s.k == model_.events,
            fmt::format("the state is of event {}, but stands behind event {}", s.k, model_.events));
     expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
-    expect(same(instant(s.last_event), model_.now),
-           "\"last_event\" is not the time of the event before");
+    expect(same(instant(s.last_event), model_.now), "\"last_event\" is not the time of the event before");
     expect(s.progress_event == model_.progress_event,
            fmt::format("the clock last moved at event {}, not {}", model_.progress_event, s.progress_event));
   }
@@ -116,7 +115,8 @@ class StateJudge {
       for (const int j : model_.tethers[static_cast<std::size_t>(i)]) {
         if (i < j) tethers.insert({model_.id(i), model_.id(j)});
       }
-      for (const auto& [j, outer] : model_.responses(i)) {
+      for (const auto& [response, speeds] : model_.responses(i)) {
+        const auto& [j, outer] = response;
         if (model_.responded(i, j, outer))
           responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
       }
