@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 
+#include "reference/scene/read_scene.hpp"
 #include "reference/trace/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/edits.hpp"
@@ -42,12 +44,13 @@ struct Told {
 void expect_honest(const Trace& trace, Told& told, const std::string& what) {
   const CheckReport report = checked(trace);
   ++told.honest;
-  EXPECT_EQ(report.violated() + report.undecided(), 0U) << what << '\n' << first_of(report) << text_of(trace);
+  EXPECT_EQ(report.violated() + report.undecided(), 0U) << what << '\n'
+                                                        << first_of(report) << text_of(trace).substr(0, 4000);
 }
 void expect_lie(const Trace& trace, Told& told, const std::string& what) {
   const CheckReport report = checked(trace);
   ++told.lies;
-  EXPECT_GT(report.violated(), 0U) << what << '\n' << text_of(trace);
+  EXPECT_GT(report.violated(), 0U) << what << '\n' << text_of(trace).substr(0, 4000);
 }
 
 std::string time_of(const Trace& trace, std::size_t line) {
@@ -55,7 +58,7 @@ std::string time_of(const Trace& trace, std::size_t line) {
 }
 
 using RowsAndMaking = std::tuple<Rows, std::string, Timing>;
-class Lies : public ::testing::TestWithParam<RowsAndMaking> {
+class ToldOtherwise : public ::testing::TestWithParam<RowsAndMaking> {
  protected:
   Rows rows() const { return std::get<0>(GetParam()); }
   Making making() const { return {std::get<1>(GetParam()), std::get<2>(GetParam())}; }
@@ -73,7 +76,7 @@ class Lies : public ::testing::TestWithParam<RowsAndMaking> {
   }
 };
 
-TEST_P(Lies, EndsThatComeTooLate) {
+TEST_P(ToldOtherwise, EndsThatComeTooLate) {
   Told told;
   for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
     const Trace whole = whole_run(seed);
@@ -95,12 +98,11 @@ TEST_P(Lies, EndsThatComeTooLate) {
       expect_lie(ended_behind(whole, n, "duration", next), told, what + ", at the next");
     }
   }
-  const bool has_gaps = rows() == Rows::ties || rows() == Rows::bodies || rows() == Rows::planned;
-  EXPECT_TRUE(told.lies > 5 || !has_gaps) << told.lies;
+  EXPECT_GT(told.lies, 50);
 }
 
 /// Runs that end at an event's time, at the numbers beside it, and between two.
-TEST_P(Lies, DurationsAtEvents) {
+TEST_P(ToldOtherwise, DurationsAtEvents) {
   Told told;
   for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
     const Scene scene = scene_of_rows(rows(), seed);
@@ -128,7 +130,7 @@ TEST_P(Lies, DurationsAtEvents) {
       }
     }
   }
-  EXPECT_TRUE(told.lies > 25) << told.lies;
+  EXPECT_GT(told.lies, 25);
 }
 
 std::set<int> particles_of(const Json& event) {
@@ -146,7 +148,7 @@ bool share_nobody(const Json& a, const Json& b) {
 }
 
 /// An event that is missing while its particles have no other.
-TEST_P(Lies, EventsThatNeverCame) {
+TEST_P(ToldOtherwise, EventsThatNeverCame) {
   Told told;
   for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
     const Trace whole = whole_run(seed);
@@ -164,11 +166,12 @@ TEST_P(Lies, EventsThatNeverCame) {
       expect_lie(lie, told, "without event " + std::to_string(n + 1) + ", seed " + std::to_string(seed));
     }
   }
-  EXPECT_TRUE(told.lies > 5 || rows() == Rows::grazes || rows() == Rows::tethered) << told.lies;
+  const bool has_gaps = rows() == Rows::ties || rows() == Rows::bodies || rows() == Rows::planned;
+  EXPECT_TRUE(told.lies > 5 || !has_gaps) << told.lies;
 }
 
 /// Two neighbours that share nobody come in the other order, the one that is now second at the clock's time.
-TEST_P(Lies, NeighboursExchanged) {
+TEST_P(ToldOtherwise, NeighboursExchanged) {
   Told told;
   for (std::uint64_t seed = 0; seed < 3 * kScenes; ++seed) {
     const Trace whole = whole_run(seed);
@@ -199,7 +202,7 @@ TEST_P(Lies, NeighboursExchanged) {
 }
 
 /// Powers of two for units change no verdict, up to the ends of the range.
-TEST_P(Lies, AreLiesInAnyUnits) {
+TEST_P(ToldOtherwise, AreLiesInAnyUnits) {
   if (making().scalar == "float") GTEST_SKIP() << "floats have no such range";
   Told told;
   for (const auto& [length, speed] : {std::pair(-900, -880), std::pair(-300, 20), std::pair(300, 290),
@@ -217,7 +220,63 @@ TEST_P(Lies, AreLiesInAnyUnits) {
       }
     }
   }
-  EXPECT_TRUE(told.lies > 30) << told.lies;
+  EXPECT_GT(told.lies, 30);
+}
+
+/// Traces with one lie that the check once took for honest, each another one.
+TEST(Lies, OfAnEarlierCheck) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(TPS_SOURCE_DIR "/tests/trace_check/lies")) {
+    ++count;
+    EXPECT_GT(check::check_trace(file.path()).violated(), 0U) << file.path();
+  }
+  EXPECT_EQ(count, 6);
+}
+
+// Exact misses by less than rounding, which a certified run and its check both know to be misses.
+TEST(HonestRuns, LeaveNothingUndecidedUnderCertifiedTiming) {
+  const Scene scene =
+      read_scene_file(TPS_SOURCE_DIR "/tests/trace_check/honest/certified_undecided_inf.json");
+  Told told;
+  expect_honest(run_of(scene, {"double", Timing::certified}), told, "eight exact misses");
+}
+
+/// A crowd that flies apart from a lattice; one of them, if asked, flies at its neighbour.
+Trace crowd_apart(int side, bool one_turns) {
+  Trace trace;
+  trace.scene = testing::plain_scene(3);
+  testing::block(trace.scene, 0, 0);
+  Json particles = Json::array();
+  for (int n = 0; n < side * side * side; ++n) {
+    const double x[3] = {2. * (n % side), 2. * (n / side % side), 2. * (n / side / side)};
+    const double away = one_turns && n == 0 ? -1 : 1;
+    const double middle = side;
+    particles.push_back({{"species", "p"},
+                         {"position", {x[0], x[1], x[2]}},
+                         {"velocity", {away * (x[0] - middle), x[1] - middle, x[2] - middle}}});
+  }
+  const Json scene = {{"tps", 1},
+                      {"dimension", 3},
+                      {"duration", "inf"},
+                      {"species", {{"p", {{"mass", 1}, {"radius", .5}}}}},
+                      {"pairs", {{{"between", {"p", "p"}}, {"blocking", {{"c_rebound", 1}}}}}},
+                      {"particles", particles}};
+  trace.lines = {{{"trace", 1},
+                  {"semantics", 1},
+                  {"scalar", "double"},
+                  {"options", {{"timing", "certified"}, {"state_every", 1000}}},
+                  {"scene", scene}},
+                 {{"end", "no_more_events"}, {"events", 0}, {"t", "0x0p+0"}}};
+  return trace;
+}
+
+// That nothing more happens is judged however many particles there are.
+TEST(Lies, ThatNothingMoreHappensToMany) {
+  Told told;
+  for (const int side : {6, 29}) {
+    expect_honest(crowd_apart(side, false), told, "a crowd that flies apart");
+    expect_lie(crowd_apart(side, true), told, "one of them turns");
+  }
 }
 
 std::vector<RowsAndMaking> all() {
@@ -238,7 +297,7 @@ std::string name_of(const ::testing::TestParamInfo<RowsAndMaking>& info) {
          timing_names()[static_cast<std::size_t>(timing)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Lies, ::testing::ValuesIn(all()), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, ToldOtherwise, ::testing::ValuesIn(all()), name_of);
 
 }  // namespace
 }  // namespace tps::mutation

@@ -64,6 +64,7 @@ class Checker {
   void follow(const EventLine<Number>& event);
   void follow_load(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
+  W speeds_of(int i, int j) const;
   void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
 
   Model<Number> model_;

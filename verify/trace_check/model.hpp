@@ -126,11 +126,17 @@ class Model {
   bool responded(int i, int j, bool outer) const {
     return has_responded(i, j, outer) && has_responded(j, i, outer);
   }
-  void note_response(int i, int j, bool outer) {
-    if (!fixed(i)) responded_[at(i)].insert({j, outer});
-    if (!fixed(j)) responded_[at(j)].insert({i, outer});
+  /// `speeds` are those of the two before it: what its roundings are of.
+  void note_response(int i, int j, bool outer, const W& speeds) {
+    if (!fixed(i)) responded_[at(i)][{j, outer}] = speeds;
+    if (!fixed(j)) responded_[at(j)][{i, outer}] = speeds;
   }
-  const std::set<std::pair<int, bool>>& responses(int i) const { return responded_[at(i)]; }
+  using Responses = std::map<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
+  const Responses& responses(int i) const { return responded_[at(i)]; }
+  /// REQUIRES responded(i, j, outer), and not both of infinite mass.
+  const W& speeds_before_response(int i, int j, bool outer) const {
+    return fixed(i) ? responded_[at(j)].at({i, outer}) : responded_[at(i)].at({j, outer});
+  }
 
   /// Begins a new flight. A fixed particle keeps its own.
   void set_flight(int i, const Vec<Number>& position, const Vec<Number>& velocity, const Instant<Number>& t,
@@ -152,7 +158,7 @@ class Model {
   }
 
   std::vector<Flight<double>> rough_flights_;  ///< where Number is not double
-  std::vector<std::set<std::pair<int, bool>>> responded_;
+  std::vector<Responses> responded_;
   std::vector<bool> phase_is_open_;
 };
 

@@ -196,9 +196,21 @@ Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, con
   return computed_waiting(c, flight.q, flight.asked, flight.dt, c.time_error(happening.t));
 }
 
-/// Judges how far the pair came beyond its limit. A pair that has responded may creep: the least approach
-/// that rounding can leave a response is 4 u of the velocities, and a faster one of a few times that is a
-/// response that was not rounded outward (docs/check.md, bounds).
+/// Whether the pair creeps: it has responded at this limit, and what it moves towards it by is no more than
+/// rounding of its response (docs/check.md, bounds).
+template <typename Number>
+bool creeps(const Context<Number>& c, const LimitFlight<Number>& flight) {
+  using W = Work<Number>;
+  const bool outer = flight.asked.outer;
+  if (!c.model.responded(flight.i, flight.j, outer)) return false;
+  constexpr int kRoundings = 24;
+  const W rounding =
+      W(kRoundings) * c.u() * c.model.speeds_before_response(flight.i, flight.j, outer) * length(flight.q.r);
+  return (outer ? flight.q.h : W(-flight.q.h)) <= rounding;
+}
+
+/// Judges how far the pair came beyond its limit. Of a pair that has responded the relative velocity is known
+/// to rounding only.
 template <typename Number>
 bool judge_bounds(const Context<Number>& c, const LimitFlight<Number>& flight, bool is_asked,
                   const Work<Number>& time_error) {
@@ -217,18 +229,15 @@ bool judge_bounds(const Context<Number>& c, const LimitFlight<Number>& flight, b
   if (!(excess > W(6) * unit * c.scale())) return true;
   const W beyond = asked.outer ? W(sqrt(asked.L * asked.L + excess) - asked.L)
                                : W(asked.L - sqrt(std::max(W(0), W(asked.L * asked.L - excess))));
-  constexpr int kRoundings = 64;  // of the velocities, that the sign of v_n after a response can hang on
-  const bool creeps = may_creep && c.model.responded(flight.i, flight.j, asked.outer) &&
-                      abs(q.h) <= W(kRoundings) * c.u() * speeds * length(q.r);
   return c.tally.within(Rule::bounds, as_double(W(excess / unit)), 6, [&](Finding& f) {
     say_about(c, flight, f);
     f.equation = "(1)";
     f.message = fmt::format("{} comes {} beyond its {} limit {} in flight", c.pair(flight.i, flight.j),
                             shown(beyond), flight.limit(), shown(asked.L));
-    if (creeps) {
+    if (creeps(c, flight)) {
       f.message = fmt::format(
-          "creep: {}: since its response the pair {} by v_n = {}, which is rounding; velocities after a "
-          "response are to be rounded so that it does not",
+          "creep: {}; since it responded it {} by v_n = {}, which is rounding; round velocities after a "
+          "response so that it does not",
           f.message, asked.outer ? "separates" : "approaches", shown(W(q.h / length(q.r))));
     }
   });

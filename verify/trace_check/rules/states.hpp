@@ -133,7 +133,8 @@ class StateJudge {
       for (const int j : model_.tethers[static_cast<std::size_t>(i)]) {
         if (i < j) tethers.insert({model_.id(i), model_.id(j)});
       }
-      for (const auto& [j, outer] : model_.responses(i)) {
+      for (const auto& [response, speeds] : model_.responses(i)) {
+        const auto& [j, outer] = response;
         if (model_.responded(i, j, outer))
           responded.insert({model_.id(std::min(i, j)), model_.id(std::max(i, j)), outer});
       }
