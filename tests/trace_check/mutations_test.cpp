@@ -69,7 +69,7 @@ TEST_P(Mutations, DifferFromTheOriginalAndKeepTheOrderUnlessTheyBreakIt) {
       if (!may_break_order) {
         EXPECT_TRUE(is_in_order(trace)) << m.name << ' ' << number;
       }
-      if (m.owner == check::Rule::order) {
+      if (m.owner == check::Rule::order && m.name != "ties_exchanged") {
         EXPECT_FALSE(is_in_order(trace)) << m.name << ' ' << number;
       }
     }

@@ -50,7 +50,8 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero
                        ? zero
                        : bodies_->inverse_i * bodies_->inverse_j / (bodies_->inverse_i + bodies_->inverse_j);
-  model_.groups.load(std::move(node), joined, event.t);
+  const Number dt = stored<Number>(model_.scene.grouping->dt_restitute, model_.precision);
+  model_.groups.load(std::move(node), joined, event.t, later_by(event.t, dt, model_.precision));
 }
 
 template <typename Number>
@@ -108,8 +109,13 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
   if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) model_.apply_phase_change();
   if (event.kind == Kind::scheduled_impulse && model_.impulses_done < model_.impulses.size())
     ++model_.impulses_done;
-  model_.now = model_.last_event = event.t;
-  for (const int i : changed) place(i, event.t);
+  model_.now = event.t;
+  for (const int i : changed) {
+    if (model_.fixed(i)) continue;
+    changed_at_[Model<Number>::at(i)] = step_;
+    told_[Model<Number>::at(i)].clear();
+    place(i, event.t);
+  }
 }
 
 }  // namespace tps::check

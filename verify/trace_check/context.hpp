@@ -6,6 +6,7 @@
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/model.hpp"
 #include "verify/trace_check/tally.hpp"
+#include "verify/trace_check/turns.hpp"
 
 namespace tps::check {
 
@@ -18,6 +19,7 @@ struct Context {
   Timing timing;
   bool minimal;
   certified::ExactTiming& exact;
+  const Turns<Number>& turns;
   std::function<std::string(const Instant<Number>&)> shown_time;  ///< on the scene's clock
   int semantics = 0;       ///< of the trace (docs/decisions.md); 0: it does not say
   bool own_draws = false;  ///< its draws are those of our generator

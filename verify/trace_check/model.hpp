@@ -56,9 +56,8 @@ class Model {
   RuleTable<Number> rules;
   bool eager = false;  ///< everybody is advanced, and rounded, at every event
   std::vector<Flight<Number>> flights;
-  std::vector<std::uint32_t> revisions;  ///< of the particles: raised with every new flight
-  std::vector<W> inverse_masses;         ///< 0 for an infinite mass
-  std::vector<std::set<int>> tethers;    ///< formed or listed, by particle
+  std::vector<W> inverse_masses;       ///< 0 for an infinite mass
+  std::vector<std::set<int>> tethers;  ///< formed or listed, by particle
   GroupModel<Number> groups;
   std::vector<PhaseChange> phase_changes;  ///< in their order
   std::vector<ScheduledImpulse> impulses;  ///< in their order
@@ -66,8 +65,9 @@ class Model {
   std::map<std::array<int, 3>, std::uint32_t> draws;
   std::map<std::string, std::uint64_t> kinds;
   std::uint64_t events = 0;
-  Instant<Number> now, last_event, asked;  ///< asked: the time of the line that is being judged
-  std::uint64_t progress_event = 0;        ///< the last one at which the clock's first part moved
+  Instant<Number> now;               ///< of the last event
+  Instant<Number> asked;             ///< of the line that is being judged
+  std::uint64_t progress_event = 0;  ///< the last one at which the clock's first part moved
 
   int size() const { return static_cast<int>(flights.size()); }
   std::int32_t id(int i) const { return scene.particles[at(i)].id; }
@@ -140,7 +140,6 @@ class Model {
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
     f = {position, velocity, t, blur, events + 1};
     if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
-    ++revisions[at(i)];
   }
 
   void apply_phase_change();
@@ -162,7 +161,6 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
     : scene(scene_in),
       precision(precision_in),
       rules(scene_in, precision_in),
-      revisions(scene_in.particles.size(), 0),
       tethers(scene_in.particles.size()),
       groups(scene_in.particles.size()),
       impulses(scene_in.impulses),

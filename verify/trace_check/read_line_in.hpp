@@ -250,8 +250,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
 
   EndLine<Number> end(const dom::object& line) const {
     static const std::vector<std::string> keys = {"end", "events", "t"};
-    static const std::vector<std::string> reasons = {"duration", "max_events", "no_more_events", "stalled",
-                                                     "interrupted"};
+    static const std::vector<std::string> reasons = {"duration", "max_events",  "no_more_events",
+                                                     "stalled",  "interrupted", "out_of_range"};
     for (const auto [key, ignored] : line) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
         unknown_key(Pointer{&kLine, key}, key, keys);

@@ -127,20 +127,28 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   }
 }
 
-/// Nothing else happens, and no time passes, while a body parts.
+/// Nothing else happens, and no time passes, while a body parts. `what` is something else.
 template <typename Number>
-void judge_parting(const Context<Number>& c, const EventLine<Number>& event) {
+void judge_parted(const Context<Number>& c, const char* what) {
   Model<Number>& model = c.model;
   if (model.groups.parting().empty()) return;
-  if (event.kind == Kind::restitute && event.t == model.now) return;
   const Body<Number>* left = *model.groups.parting().begin();
   c.tally.demand(Rule::groups, false, [&](Finding& f) {
-    f.message = fmt::format("something else happens while the body of particle {} has {} loads left to part",
+    f.message = fmt::format("{} while the body of particle {} has {} loads left to part", what,
                             model.id(left->members.front()),
                             left->root->members[0].size() + left->root->members[1].size() - 1);
     f.equation = "(7)";
   });
   model.groups.forget_parting();
+}
+template <typename Number>
+void judge_parting(const Context<Number>& c, const EventLine<Number>& event) {
+  const GroupModel<Number>& groups = c.model.groups;
+  if (event.kind == Kind::restitute && event.t == c.model.now) {
+    const Body<Number>* body = groups.with_root(event.i, event.j);
+    if (body == nullptr || groups.is_parting(body)) return;
+  }
+  judge_parted(c, "something else happens");
 }
 
 /// A node of a tree parts: root first, at the expiry, by the impulse that was stored.
@@ -158,7 +166,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   });
   if (body == nullptr) return;
   if (!model.groups.is_parting(body)) {
-    const Instant<Number> expiry = expiry_of(model, *body);
+    const Instant<Number> expiry = body->expiry;
     const W late = elapsed(expiry, event.t);
     const W error = c.time_error(event.t);
     const bool clock_had_passed =
