@@ -183,7 +183,7 @@ class Bench {
   template <typename Judge>
   double share(const std::string& quantity, Judge judge, Rule rule) {
     Verdict& verdict = verdicts_[quantity];
-    judge(Context<double>{model_, verdict.tally, Timing::stable, false, exact_,
+    judge(Context<double>{model_, verdict.tally, Timing::stable, false, exact_, turns_,
                           [](const Instant<double>&) { return std::string(); }});
     return verdict.report.of(rule).violated > 0 ? HUGE_VAL : verdict.report.of(rule).worst;
   }
@@ -198,6 +198,7 @@ class Bench {
   Model<double> model_;
   long double mass_i_ = 1;
   certified::ExactTiming exact_;
+  Turns<double> turns_{exact_};
   std::map<std::string, Verdict> verdicts_;
   std::mt19937_64 random_{20260101};
 };
