@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace tps {
 
@@ -26,7 +27,35 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+namespace {
+
+constexpr std::size_t kShortestPart = 3;  ///< of a name, that tells something
+
+/// How well a name that is part of another one fits: less is better; absent where neither is part of the
+/// other.
+std::optional<std::size_t> misfit_of_part(std::string_view name, std::string_view known) {
+  const bool is_shorter = name.size() <= known.size();
+  const std::string_view part = is_shorter ? name : known, whole = is_shorter ? known : name;
+  const std::size_t at = whole.find(part);
+  if (at == std::string_view::npos || part.empty() || (at != 0 && part.size() < kShortestPart))
+    return std::nullopt;
+  const std::size_t order = is_shorter ? 0 : 4000, begins = at == 0 ? 0 : 2000;
+  return order + begins + std::min<std::size_t>(whole.size() - part.size(), 1999);
+}
+
+}  // namespace
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
+  const std::string* best = nullptr;
+  std::size_t least = 0;
+  for (const std::string& candidate : known) {
+    if (edit_distance(name, candidate) <= 1) return candidate;
+    const std::optional<std::size_t> misfit = misfit_of_part(name, candidate);
+    if (!misfit || (best != nullptr && *misfit >= least)) continue;
+    best = &candidate;
+    least = *misfit;
+  }
+  if (best != nullptr) return *best;
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(name, a) < edit_distance(name, b);
   });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/scene/builders/builder.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
@@ -54,6 +55,7 @@ void add_import(CLI::App& app, int&) {
       "What is assumed or dropped is said on standard error.\n"
       "Example: tps import config.json -o scene.json && tps run scene.json --scalar float");
   verb->callback([a] {
+    refuse_other_kinds_of_file(a->file, "a scenario of the program ARSLab_TPS", {FileKind::arslab_tps});
     JsonDocument document =
         parse_json_file(a->file, "a scenario of this size has too many particles for one run: use fewer",
                         arslab::import_limits);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/trace/output.hpp"
 #include "verify/cli/verbs.hpp"
@@ -159,8 +161,10 @@ int replay(const PropertiesArguments& a) {
   std::size_t held = 0, broken = 0, not_asked = 0;
   bool failed = false;
   for (const std::string& path : a.replayed) {
+    refuse_other_kinds_of_file(path, "a file of cases of broken laws", {FileKind::regressions});
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError({{path, 0, "", "cannot be read; name regression files"}});
+    if (!file || std::filesystem::is_directory(path))
+      throw InputError({{path, 0, "", "cannot be read; name regression files"}});
     for (const Regression& regression : read_regressions(file, path)) {
       if (!fits(regression.shrunk, subject->format())) {
         ++not_asked;
