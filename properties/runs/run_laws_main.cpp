@@ -10,6 +10,7 @@
 
 #include "properties/runs/hazards.hpp"
 #include "properties/runs/laws.hpp"
+#include "properties/runs/trace_check_instead.hpp"
 #include "reference/process/descriptors.hpp"
 #include "reference/process/interrupt.hpp"
 
@@ -53,11 +54,17 @@ bool ask(const RunLaw& law, Simulator& simulator, const Options& options) {
   rc::detail::TestParams params;
   params.seed = options.seed;
   params.maxSuccess = options.cases;
-  const rc::detail::TestResult result = rc::detail::checkTestable(
-      [&] { check_law(law, simulator); }, rc::detail::TestMetadata{law.name, law.sentence}, params);
+  Instead instead = check_instead();
+  const rc::detail::TestResult result =
+      rc::detail::checkTestable([&] { check_law(law, simulator, 0, &instead); },
+                                rc::detail::TestMetadata{law.name, law.sentence}, params);
   std::cout << "law " << law.number << " " << law.name << ": ";
   rc::detail::printResultMessage(result, std::cout);
   std::cout << "\n";
+  if (instead.traces > 0) {
+    std::cout << "  not judged: the law cannot judge minimal traces; the check judged " << instead.traces
+              << " of them instead\n";
+  }
   return !result.is<rc::detail::FailureResult>();
 }
 

@@ -33,7 +33,15 @@ class Simulator {
   /// The whole trace of the run that goes on from the beginning of a trace; nothing where it cannot.
   virtual std::optional<std::string> go_on(const std::string& beginning, const Extent& extent) = 0;
 
-  RunTrace run(const Scene& scene, const Extent& extent = {}) { return read_trace(simulate(scene, extent)); }
+  /// The same. Throws MinimalTrace where it is one.
+  std::string full_trace(const Scene& scene, const Extent& extent) {
+    std::string bytes = simulate(scene, extent);
+    if (is_minimal(bytes)) throw MinimalTrace(std::move(bytes));
+    return bytes;
+  }
+  RunTrace run(const Scene& scene, const Extent& extent = {}) {
+    return read_trace(full_trace(scene, extent));
+  }
   Real roundoff() const { return judged_roundoff(scalar()); }
 };
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/run/resume.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
@@ -69,6 +70,7 @@ StateData state_of(const std::string& path, const Lines& lines) {
 
 /// Reads a first line and checks that it is one.
 JsonDocument head_of(const std::string& path) {
+  refuse_other_kinds_of_file(path, "a trace or a checkpoint", {FileKind::trace, FileKind::checkpoint});
   Lines lines(path);
   if (!lines.next()) fail(path, 1, "holds no complete line; a trace starts with {\"trace\":1,…}");
   JsonDocument document = parse_json(lines.text, path);

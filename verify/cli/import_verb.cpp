@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/scene/builders/builder.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cli/named_files.hpp"
@@ -58,6 +59,7 @@ void add_import(CLI::App& app, int&) {
       "Example: tps import config.json -o scene.json && tps run scene.json --scalar float");
   verb->callback([a] {
     NamedFiles().reads("file", a->file).writes("-o", a->output).require_distinct();
+    refuse_other_kinds_of_file(a->file, "a scenario of the program ARSLab_TPS", {FileKind::arslab_tps});
     JsonDocument document =
         parse_json_file(a->file, "a scenario of this size has too many particles for one run: use fewer",
                         arslab::import_limits);

@@ -15,6 +15,7 @@
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
@@ -169,6 +170,7 @@ int explore_laws(const PropertiesArguments& a) {
 }
 
 void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replay& replay) {
+  refuse_other_kinds_of_file(path, "a file of cases of broken laws", {FileKind::regressions});
   std::ifstream file(path, std::ios::binary);
   std::error_code unknown;
   if (!file || std::filesystem::is_directory(path, unknown))

@@ -10,6 +10,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/text_file.hpp"
 #include "reference/text/line_source.hpp"
@@ -104,6 +105,7 @@ void read_all(const std::vector<std::string>& files, const vectors::VectorsVisit
       vectors::read_vectors(std::cin, "standard input", visitor);
       continue;
     }
+    refuse_other_kinds_of_file(file, "a file of known answers", {FileKind::known_answers});
     std::ifstream in(file, std::ios::binary);
     std::error_code unknown;
     if (!in || std::filesystem::is_directory(file, unknown)) {
@@ -137,6 +139,7 @@ void require_distinct(const std::vector<std::string>& files, const std::string& 
 }
 
 Replies read_replies(const std::string& path) {
+  refuse_other_kinds_of_file(path, "a file of replies", {FileKind::replies});
   std::ifstream file;
   if (path != "-") file.open(path, std::ios::binary);
   std::istream& in = path == "-" ? std::cin : file;

@@ -10,6 +10,7 @@
 
 #include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/version.hpp"
@@ -156,6 +157,17 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   return head;
 }
 
+/// The first line and what follows it, as much as tells what a file is that begins like no trace.
+std::string beginning_of(const std::string& first, protocol::LineReader& reader) {
+  std::string beginning = first;
+  while (beginning.size() < kBytesThatTell) {
+    const protocol::LineReader::Result next = reader.next();
+    if (next.status != protocol::LineReader::Status::line) break;
+    beginning.append("\n").append(next.text);
+  }
+  return beginning;
+}
+
 CheckReport start_report(const std::string& path, const Head& head, double tolerance) {
   CheckReport report;
   report.file = path == "-" ? "standard input" : path;
@@ -220,7 +232,12 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
     fail(file, 1, "is longer than 64 MiB; a header is not");
   if (first.status == protocol::LineReader::Status::interrupted)
     fail(file, 0, "the check was interrupted before the header");
-  const Head head = read_head(first.text, file, options);
+  const std::string header(first.text);
+  if (header.find("\"trace\"") == std::string::npos) {
+    refuse_other_kinds(beginning_of(header, reader), file, "a trace",
+                       {FileKind::trace, FileKind::checkpoint});
+  }
+  const Head head = read_head(header, file, options);
   reader.set_longest_line(kLongestHeader + kStateOfParticle * head.scene.particles.size());
 
   CheckReport report = start_report(path, head, options.tolerance);
