@@ -77,9 +77,11 @@ std::string gas(std::size_t side, const std::string& more_species, const std::st
 }
 
 TEST(Starts, TwentyThousandParticlesAreCheckedInASecondOrTwo) {
-  for (const char* pairs : {R"({"between":["A","A"],"blocking":{}})",
-                            R"({"between":["A","A"],"tethering":{"form":"permanent","distance":60}})",
-                            R"({"between":["A","W"],"tethering":{"form":"permanent","distance":60}})"}) {
+  for (
+      const char* pairs :
+      {R"({"between":["A","A"],"blocking":{"c_rebound":1}})",
+       R"({"between":["A","A"],"tethering":{"form":"permanent","distance":60,"c_retract":1,"c_revolve":1,"theta_revolve_deg":45}})",
+       R"({"between":["A","W"],"tethering":{"form":"permanent","distance":60,"c_retract":1,"c_revolve":1,"theta_revolve_deg":45}})"}) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(read_scene_text(gas(27, "", pairs), "gas").particles.size(), 19684U);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << pairs;

@@ -212,6 +212,7 @@ TEST(CheckState, EveryLieIsFoundInEveryStateThatHasRoomForIt) {
       StateData changed = state;
       changed.t.clear();  // "t" would betray a change of now
       if (!lie.tell(changed)) continue;
+      if (write_state(changed, state.t) == write_state(state, state.t)) continue;  // true already
       ++told;
       EXPECT_NE(words_of(state_problems(scene, changed, 53)), "") << lie.name << ", state " << state.k;
     }
