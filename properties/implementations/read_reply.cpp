@@ -16,6 +16,11 @@ Answer garbage(std::string_view line, std::string_view why) {
   return {Answer::Status::failed, {}, fmt::format("garbage: {}: {}", why, printable(line, kShown))};
 }
 
+/// What the other program said, fit for a line of a report.
+std::string words(const Json& value) {
+  return value.is_string() ? printable(value.get_ref<const std::string&>(), kShown) : tps::shown(value);
+}
+
 }  // namespace
 
 std::string request_line(std::uint64_t seq, const Question& question) {
@@ -27,7 +32,8 @@ Answer read_reply(std::string_view line, std::uint64_t seq) {
   try {
     reply = parse_plain_json(line, "reply");
   } catch (const InputError& error) {
-    return garbage(line, first_problem(error));
+    const std::string problem = first_problem(error);
+    return garbage(line, problem.find("not JSON") != std::string::npos ? "not JSON" : problem);
   }
   if (!reply.is_object() || !reply.contains("seq")) return garbage(line, "no object with seq");
   if (reply["seq"] != seq)
@@ -36,8 +42,8 @@ Answer read_reply(std::string_view line, std::uint64_t seq) {
             fmt::format("seq {} was asked, {} answered", seq, tps::shown(reply["seq"]))};
   const auto reason = [&](const char* key) {
     const auto message = reply.find("message");
-    const std::string kind = tps::shown(reply[key]);
-    return message != reply.end() && message->is_string() ? kind + ": " + tps::shown(*message) : kind;
+    const std::string kind = words(reply[key]);
+    return message != reply.end() && message->is_string() ? kind + ": " + words(*message) : kind;
   };
   if (reply.contains("out")) return {Answer::Status::answered, std::move(reply["out"])};
   if (reply.contains("skip")) return {Answer::Status::skipped, {}, reason("skip")};

@@ -56,8 +56,7 @@ std::string json_text(const json& value, int indent) {
 
 std::string shown(const json& value) {
   constexpr std::size_t kMost = 120;
-  const std::string text = value.is_string() ? value.get<std::string>()
-                                             : value.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   return printable(text, kMost);
 }
 

@@ -19,7 +19,7 @@ nlohmann::ordered_json parse_plain_json(std::string_view text, const std::string
 /// so that readers get the same strings; bytes that are not UTF-8 become U+FFFD. `indent` as in dump().
 std::string json_text(const nlohmann::ordered_json& value, int indent = -1);
 
-/// A value of a found document, as much of it as a line of a message can bear.
+/// A value of a found document as JSON, as much of it as a line of a message can bear.
 std::string shown(const nlohmann::ordered_json& value);
 
 /// The first thing that is wrong, without the file and the line: "/in/u_A: must be …". For readers of lines,

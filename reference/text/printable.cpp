@@ -129,8 +129,6 @@ std::string xml_text(std::string_view text) {
       result += "&gt;";
     } else if (c == '"') {
       result += "&quot;";
-    } else if (c == '\'') {
-      result += "&apos;";
     } else if ((is_control(c) && c != '\n' && c != '\t') || is_noncharacter(c)) {
       result += "\uFFFD";
     } else {

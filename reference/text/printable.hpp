@@ -24,7 +24,7 @@ std::string printable_lines(std::string_view text, std::size_t most = std::strin
 /// A text of JSON with what printable() escapes as escapes of JSON, but line ends and tabs. REQUIRES UTF-8.
 std::string escape_in_json(std::string_view json);
 
-/// The text as content or attribute of XML 1.0 in UTF-8: `&`, `<`, `>` and both quotes as entities; what XML
+/// The text as content or attribute of XML 1.0 in UTF-8: `&`, `<`, `>` and `"` as entities; what XML
 /// cannot hold, and bytes that are not UTF-8, as U+FFFD. Line ends and tabs stay.
 std::string xml_text(std::string_view text);
 

@@ -23,10 +23,10 @@ struct StateProblem {
 ///     start_time + now. (2) Every particle of the scene stands once, vectors have its dimension. (3) Tethers
 ///     are of pairs that can have one, each once, within the capacity of both. (4) Pairs that have responded
 ///     have that limit. (5) A body is a tree of loads over its members, each in one body, all with one
-///     velocity and clock; its masses are sums of theirs, to the rounding of the scalar; it was born before
-///     now and expires no earlier than now. (6) Draws are of pairs with a tethering; progress is no further
-///     than the scene has phases and impulses; the counts of events by kind add up to the number of events;
-///     quantities are those of the ledger.
+///     velocity (a break renews the clocks of its pair alone); its masses are sums of theirs, to the rounding
+///     of the scalar; it was born before now and expires no earlier than now. (6) Draws are of pairs with a
+///     tethering; progress is no further than the scene has phases and impulses; the counts of events by kind
+///     add up to the number of events; quantities are those of the ledger.
 std::vector<StateProblem> state_problems(const Scene& scene, const StateData& state, int digits);
 
 inline constexpr std::size_t kMostStateProblems = 20;

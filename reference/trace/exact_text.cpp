@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "reference/scene/number_text.hpp"
 
@@ -42,22 +43,29 @@ int sign_of_sum(const std::vector<HexDigits>& terms) {
   return sum.digits.empty() ? 0 : sum.negative ? -1 : 1;
 }
 
-int compare_times(const HexTime& a, const HexTime& b) {
-  if (a == b) return 0;
-  // His that are far apart decide: |lo| is at most half an ulp.
+bool is_not_after(const HexTime& a, const HexTime& b) {
+  if (a == b) return true;
+  // Normal times are in the order of their his, or equal: |lo| is at most half an ulp.
   const HexFloat hi_a = parse_hex_float(a[0]);
   const HexFloat hi_b = parse_hex_float(b[0]);
   const bool doubles = hi_a.verdict == HexFloat::Verdict::exact && hi_b.verdict == HexFloat::Verdict::exact;
-  if (doubles && hi_a.value > 2 * hi_b.value) return 1;
-  if (doubles && hi_b.value > 2 * hi_a.value) return -1;
-  return sign_of_sum({digits_of(a[0]), digits_of(a[1]), negated(digits_of(b[0])), negated(digits_of(b[1]))});
+  if (doubles && hi_a.value < hi_b.value) return true;
+  return sign_of_sum(
+             {digits_of(a[0]), digits_of(a[1]), negated(digits_of(b[0])), negated(digits_of(b[1]))}) <= 0;
 }
 
 bool is_normal_time(const HexTime& time, int digits) {
+  constexpr int kOfDouble = 53;
+  const HexFloat quick_hi = parse_hex_float(time[0]);
+  const HexFloat quick_lo = parse_hex_float(time[1]);
+  const bool doubles =
+      quick_hi.verdict == HexFloat::Verdict::exact && quick_lo.verdict == HexFloat::Verdict::exact;
+  if (doubles && digits <= kOfDouble && quick_hi.value > 0x1p-900)  // all exact: far from underflow
+    return std::fabs(quick_lo.value) <= std::ldexp(1.0, std::ilogb(quick_hi.value) - digits);
   const HexDigits hi = digits_of(time[0]);
   const HexDigits lo = digits_of(time[1]);
+  if (hi.negative && !hi.digits.empty()) return false;
   if (hi.digits.empty() || lo.digits.empty()) return lo.digits.empty();
-  if (hi.negative) return false;
   // Half an ulp is 2^(e − digits), below a power of two half of that again.
   HexDigits half{true, "1", leading_exponent(hi) - digits};
   return sign_of_sum({magnitude(lo), half}) <= 0;

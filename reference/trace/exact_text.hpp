@@ -11,8 +11,8 @@ namespace tps {
 /// The sign of a sum, −1, 0 or 1. REQUIRES hexadecimal floats.
 int sign_of_sum(const std::vector<HexDigits>& terms);
 
-/// Negative, zero or positive as one time is before, at or after another. REQUIRES finite times.
-int compare_times(const HexTime& a, const HexTime& b);
+/// Whether a ≤ b. REQUIRES normal times.
+bool is_not_after(const HexTime& a, const HexTime& b);
 
 /// Whether hi ≥ 0 and |lo| is at most half an ulp of hi in a scalar of that many bits (docs/trace.md): the
 /// one spelling that a run writes, subnormal numbers aside.
