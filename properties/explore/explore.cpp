@@ -55,7 +55,8 @@ Exploration explore(Implementation& subject, const Plan& plan, const std::functi
     const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
     for (LawReport& report : exploration.laws) {
       if (is_done(report)) continue;
-      if (!examined(report, subject, {plan.seed, exploration.next, count, plan.bitwise}, stop)) return exploration;
+      if (!examined(report, subject, {plan.seed, exploration.next, count, plan.bitwise}, stop))
+        return exploration;
     }
     if (stop() || !subject.given_up().empty()) break;  // the round is asked again when going on
     exploration.next += count;

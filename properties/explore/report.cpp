@@ -173,8 +173,9 @@ std::string exploration_text(const Exploration& exploration) {
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
   return printable_lines(text) +
          fmt::format("{}: laws {}, cases held {}, broken {}{}; go on with --seed {} --first {}\n",
-                     printable(exploration.subject), exploration.laws.size(), exploration.held(), broken_in(exploration),
-                     refused_in(exploration), exploration.plan.seed, exploration.next);
+                     printable(exploration.subject), exploration.laws.size(), exploration.held(),
+                     broken_in(exploration), refused_in(exploration), exploration.plan.seed,
+                     exploration.next);
 }
 
 std::string exploration_json(const Exploration& exploration) {
