@@ -19,6 +19,8 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
     if (record.tether != TetherChange::none)
       event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
   };
+  if (const auto pair = simulation.beyond_every_time())
+    throw OutOfRange("the time of the next event of " + pair_name(scene, pair->first, pair->second));
   if (simulation.next_time() != Time<double>::never()) simulation.step();
   for (int i = 0; i < world.size(); ++i) {
     const Vector<double, D> u = world.position(i, world.now);
