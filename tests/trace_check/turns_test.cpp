@@ -233,6 +233,34 @@ TEST(Lies, OfAnEarlierCheck) {
   EXPECT_EQ(count, 6);
 }
 
+// A long flight's moment, 2^20 + 1/3, is behind its computed time; an event that began just before is due
+// between the two. The end comes at the computed time, where a first look sees that pair still clear of its
+// limit.
+TEST(Lies, OfMomentsBehindTheirTimes) {
+  Told told;
+  for (int n = 1; n <= 100; ++n) {
+    Scene scene = testing::plain_scene(2);
+    testing::block(scene, 0, 0);
+    testing::add_particle(scene, 0, {-0x3p20 - 2, 0, 0}, {3, 0, 0});
+    testing::add_particle(scene, 0, {0, 0, 0}, {0, 0, 0});
+    testing::add_particle(scene, 0, {0, 8, 0}, {0, 0, 0});
+    testing::add_particle(scene, 0, {2 - .0098 * n * 0x1p-32, 8, 0}, {0, 0, 0});
+    scene.impulses = {{.at = 0x1p20, .particle = 2, .impulse = {3, 0, 0}}};
+    RunOptions options;
+    options.max_events = 3;
+    const Trace run = run_of(scene, {"double", Timing::certified}, options);
+    expect_honest(run, told, "both happen");
+    const std::vector<std::size_t> events = event_lines(run);
+    ASSERT_EQ(run.lines[events[1]].at("i"), 2) << "the one that began late is exactly first";
+    Trace lie = run;
+    erase_line(lie, events[1]);
+    Retold before(lie);
+    before.hear(lie.lines[events[0]], events[0]);
+    carry_event(lie, events[1], before, 0x1p20 + 1. / 3);
+    expect_lie(lie, told, "the one that began late is left out");
+  }
+}
+
 // Exact misses by less than rounding, which a certified run and its check both know to be misses.
 TEST(HonestRuns, LeaveNothingUndecidedUnderCertifiedTiming) {
   const Scene scene =
