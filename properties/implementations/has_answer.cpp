@@ -30,6 +30,8 @@ bool has_answer(const Question& question, const Format& format) {
   // say so.
   if (question.op == "tether_response" && question.in.at("v_A") == question.in.at("v_B")) return false;
   const Answer certified = read_reply(protocol::reply_to(request_line(1, question)).text, 1);
+  // Pulled along û with c_retract = 0 rounding decides between (4) and (5), and (5) is 0/0 there.
+  if (certified.out.is_object() && certified.out.contains("boundary")) return false;
   return certified.status == Answer::Status::answered && holds(certified.out, format);
 }
 

@@ -7,6 +7,7 @@
 
 #include "properties/runs/trace_check_instead.hpp"
 #include "reference/scene/number_text.hpp"
+#include "reference/scene/read_scene.hpp"
 
 namespace tps::properties::runs {
 namespace {
@@ -61,24 +62,38 @@ class MinimalSimulator final : public Simulator {
   int faults = 0;
 };
 
+/// What the latest failure said.
+std::string why;
+
 bool fails(const RunLaw& law, MinimalSimulator& simulator, Instead* instead) {
   rc::detail::TestParams params;
   params.seed = 5;
   params.maxSuccess = 40;
   params.disableShrinking = true;
-  return rc::detail::checkTestable([&] { check_law(law, simulator, 0, instead); },
-                                   rc::detail::TestMetadata{law.name, law.sentence}, params)
-      .is<rc::detail::FailureResult>();
+  const rc::detail::TestResult result =
+      rc::detail::checkTestable([&] { check_law(law, simulator, 0, instead); },
+                                rc::detail::TestMetadata{law.name, law.sentence}, params);
+  if (!result.is<rc::detail::FailureResult>()) return false;
+  why = result.get<rc::detail::FailureResult>().description;
+  return true;
 }
 
 const RunLaw& momentum() {
   return run_laws().front();
 }
 
+/// The law, asked of one scene.
+RunLaw momentum_of(const Scene& scene) {
+  RunLaw law = momentum();
+  law.judge = [scene](const Scene&, Simulator& simulator) { return momentum().judge(scene, simulator); };
+  return law;
+}
+
 TEST(MinimalRuns, AreJudgedByTheCheckInstead) {
   MinimalSimulator honest(false);
   Instead instead = check_instead();
-  EXPECT_FALSE(fails(momentum(), honest, &instead));
+  const Scene scene = read_scene_file(TPS_SOURCE_DIR "/data/scenes/three-body.json");
+  EXPECT_FALSE(fails(momentum_of(scene), honest, &instead)) << why;
   EXPECT_GE(instead.traces, 40U);
 }
 
@@ -86,6 +101,7 @@ TEST(MinimalRuns, ABrokenMomentumIsFound) {
   MinimalSimulator faulty(true);
   Instead instead = check_instead();
   EXPECT_TRUE(fails(momentum(), faulty, &instead));
+  EXPECT_NE(why.find("which the check judges instead"), std::string::npos) << why;
   EXPECT_GT(faulty.faults, 0);
 }
 
