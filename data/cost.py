@@ -13,7 +13,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TPS = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else str(ROOT / "build/release/tps")
-LIMIT = 60
+LIMIT = 20
 SCALES = (1, 10, 100)
 
 
@@ -37,13 +37,25 @@ def phased(n):
     return {"tps": 1, "dimension": 3, "duration": 10, "species": species, "pairs": pairs, "phases": phases, "particles": particles}
 
 
+def memory_of(process):
+    """Peak so far in megabytes. What wait4 reports includes this program, which the child was a copy of."""
+    try:
+        status = pathlib.Path(f"/proc/{process}/status").read_text()
+    except OSError:
+        return 0
+    peak = [line.split()[1] for line in status.splitlines() if line.startswith("VmHWM")]
+    return int(peak[0]) / 1024 if peak else 0
+
+
 def measured(words, stdin=None):
     """Seconds and megabytes of a command, as text."""
     start = time.monotonic()
     child = subprocess.Popen([TPS, *map(str, words)], stdin=open(stdin, "rb") if stdin else subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    peak = 0
     while True:
-        pid, status, usage = os.wait4(child.pid, os.WNOHANG)
+        peak = max(peak, memory_of(child.pid))
+        pid, status, _ = os.wait4(child.pid, os.WNOHANG)
         seconds = time.monotonic() - start
         if pid:
             break
@@ -51,10 +63,10 @@ def measured(words, stdin=None):
             child.kill()
             os.wait4(child.pid, 0)
             return f"> {LIMIT} s"
-        time.sleep(0.005)
+        time.sleep(0.002)
     code = os.waitstatus_to_exitcode(status)
     note = "" if code == 0 else f" (exit {code})"
-    return f"{seconds:.2f} s, {usage.ru_maxrss / 1024:.0f} MB{note}"
+    return f"{seconds:.2f} s, {peak:.0f} MB{note}"
 
 
 def repeated(path, lines_of, n):
@@ -76,7 +88,8 @@ def rows(folder):
     vectors = (ROOT / "data/vectors/block_time.plain.jsonl").read_text().splitlines(keepends=True)
     lines = json.loads(vectors[0]), vectors[1:]
     trace = folder / "gas.ndjson"
-    small = scene("small.json", gas(64))
+    small = folder / "small.json"
+    subprocess.run([TPS, "scene", "gas", "--particles", "64", "--duration", "1e9", "-o", small], check=True)
 
     def run_of(events):
         subprocess.run([TPS, "run", "-q", small, "-o", trace, "--max-events", str(events)], check=True, stdout=subprocess.DEVNULL)
