@@ -21,7 +21,10 @@ TEST(Printable, LeavesWordsOfEveryLanguageAlone) {
 TEST(Printable, EscapesWhatATerminalObeys) {
   EXPECT_EQ(printable("\x1b[31mred\x07"), "\\x1b[31mred\\x07");
   EXPECT_EQ(printable("one\ntwo\r\tthree\x7f"), "one\\ntwo\\r\\tthree\\x7f");
-  EXPECT_EQ(printable("\xc2\x9b" "31m"), "\\u009b31m") << "CSI of eight bits";
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\\u009b31m")
+      << "CSI of eight bits";
   EXPECT_EQ(printable("\xe2\x80\xae"
                       "drow"),
             "\\u202edrow")
