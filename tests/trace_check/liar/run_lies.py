@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Tells every lie to `tps check`, which has to catch each by its rule and to accept the honest run of the same scene.
 
-  run_lies.py TPS [--only NAME] [--seeds N] [--share K/N] [--known NAME,…] [--keep DIR] [--list]
+  run_lies.py TPS [--only NAME] [--seeds N] [--share K/N] [--known NAME,…] [--keep DIR]
+  run_lies.py TPS --list | --page docs/lies.md
 """
 import argparse
 import json
@@ -77,6 +78,15 @@ class Trial:
             self.wrong.append(f"{lie.name}: told only {told} times; its scenes do not fit it")
 
 
+def table():
+    """The lies and their rules, as docs/lies.md has them."""
+    rows = ["| lie | what | one of these rules |", "|---|---|---|"]
+    for name, lie in LIES.items():
+        what = " ".join((lie.__dict__.get("__doc__") or "").split()).replace("|", "\\|")
+        rows.append(f"| {name.replace('_', ' ')} | {what} | {', '.join(sorted(lie.rules))} |")
+    return "\n".join(rows)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tps")
@@ -86,11 +96,15 @@ def main():
     parser.add_argument("--known", default="", help="lies that are not caught yet; one that is fails, so that the list shrinks")
     parser.add_argument("--keep", help="a folder for the traces of what went wrong")
     parser.add_argument("--list", action="store_true", help="the lies and their rules, as a table")
+    parser.add_argument("--page", help="fails unless this page has that table")
     options = parser.parse_args()
     if options.list:
-        for name, lie in LIES.items():
-            print(f"| {name.replace('_', ' ')} | {', '.join(sorted(lie.rules))} | {(lie.__doc__ or '').splitlines()[0]} |")
+        print(table())
         return 0
+    if options.page:
+        same = table() in pathlib.Path(options.page).read_text()
+        print("" if same else f"the table of {options.page} is not what run_lies.py --list prints")
+        return not same
     share, of = map(int, options.share.split("/"))
     names = [options.only] if options.only else sorted(LIES)[share::of]
     trial, known = Trial(options), set(filter(None, options.known.split(",")))
