@@ -1,6 +1,5 @@
 """What all lies have in common: when they are told, and which rule of `tps check` has to catch them."""
 from simulator import COLLISION, Honesty
-from timing import INNER, OUTER
 
 LIES = {}
 

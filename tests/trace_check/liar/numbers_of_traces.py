@@ -51,16 +51,10 @@ def exact(t):
 
 
 def next_after(x, steps=1):
-    """The double `steps` ulps away, outwards for positive steps."""
-    for _ in range(abs(steps)):
-        toward = math.copysign(math.inf, x) if steps > 0 else 0.0
-        x = math.nextafter(x, toward) if hasattr(math, "nextafter") else x * (1 + math.copysign(2.0**-53, steps))
+    """The double `steps` ulps away from zero."""
+    for _ in range(steps):
+        x = math.nextafter(x, math.copysign(math.inf, x))
     return x
-
-
-def moved(t, dt):
-    """The clock moved by any dt, also back."""
-    return after(t, dt)
 
 
 def dot(a, b):
@@ -86,3 +80,9 @@ def minus(a, b):
 
 def times(factor, a):
     return tuple(factor * x for x in a)
+
+
+def off_by(v, steps):
+    """Its largest component so many ulps outwards."""
+    k = max(range(len(v)), key=lambda n: abs(v[n]))
+    return tuple(next_after(x, steps) if n == k else x for n, x in enumerate(v))

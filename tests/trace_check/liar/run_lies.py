@@ -11,7 +11,8 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import lies_of_impulse, lies_of_state, lies_of_time  # noqa: E401,F401  they register their lies
+# Each registers its lies.
+import lies_of_misses, lies_of_time, lies_of_order, lies_of_impulse, lies_of_groups, lies_of_tethers, lies_of_state  # noqa: E401,F401
 from lie import LIES
 from liars_scenes import SCENES
 from simulator import Simulator

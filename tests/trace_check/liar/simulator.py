@@ -10,8 +10,7 @@ from groups import Forest, Node, leaves, preorder
 from laws import Laws
 from numbers_of_traces import after, elapsed, exact, norm, plus
 from philox import TETHER_BREAK, TETHER_FORM, uniform
-from responses import (Frame, apply_impulse, collision_impulse, load_velocity, restitution_impulse, retraction_suffices,
-                       revolution_impulse)
+from responses import (Frame, apply_impulse, collision_impulse, load_velocity, restitution_impulse, retraction_suffices, revolution_impulse)
 from timing import INNER, OUTER, compare, exact_root, stable_time
 from trace_text import Writer
 
