@@ -109,7 +109,7 @@ class Program final : public Implementation {
           bits->is_number_integer() && bits->get<double>() >= kLeastBits && bits->get<double>() <= kMostBits;
       if (!known) {
         return fmt::format("the answer to hello has bits = {}; allowed are integers from {} to {}",
-                           shown(*bits), kLeastBits, kMostBits);
+                           tps::shown(*bits), kLeastBits, kMostBits);
       }
       bits_ = bits->get<int>();
     }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "reference/engine/range.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/engine/tethers.hpp"
 #include "reference/equations/collision_frame.hpp"
@@ -40,6 +41,13 @@ class Coupling {
   virtual void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse,
                     Record<Scalar, D>& record) = 0;
 };
+
+/// Throws OutOfRange where two particles are at one place, which has no axis.
+template <typename Scalar, int D>
+void require_apart(const World<Scalar, D>& world, int i, int j) {
+  if (world.position(i, world.now) != world.position(j, world.now)) return;
+  throw OutOfRange("the distance of " + pair_name(world.scene, i, j) + ", which rounding puts at one point,");
+}
 
 /// The velocities of two bodies after their response, rounded so that their particles i and j leave each
 /// other the right way (D22). What that changes enters the ledger's bounds.

@@ -111,6 +111,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     const std::vector<int> members_j = forest_.members_of(forest_.node(n).side[1]);
     const Node node = forest_.take_node(n);
     Record<Scalar, D> record = world.open_record("restitute", node.i, node.j);
+    require_apart(world, node.i, node.j);
     record.dp = node.dp;
     const PairVelocities<Scalar, D> v = directed_response<Scalar, D>(
         world, node.i, node.j, node.limit, node.mass[0], node.mass[1],

@@ -30,10 +30,7 @@ Scalar coordinate_ulp(const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j
 /// at one place, which has no axis.
 template <typename Scalar, int D>
 Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, Limit limit) {
-  if (world.position(i, world.now) == world.position(j, world.now)) {
-    throw OutOfRange("the distance of " + pair_name(world.scene, i, j) +
-                     ", which rounding puts at one point,");
-  }
+  require_apart(world, i, j);
   return {i,
           j,
           limit,

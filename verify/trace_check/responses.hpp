@@ -33,6 +33,16 @@ Work<Number> turn_of_axis(const BodiesNow<Number>& b) {
   return share < W(1) ? W(asin(share)) : W(kRightAngle);
 }
 
+/// Some unit vector perpendicular to a unit vector, in the plane where that is: for a pair without motion
+/// across its axis, which rounding turns anywhere, but does not make faster.
+template <typename W>
+Vec<W> any_across(const Vec<W>& axis) {
+  using std::sqrt;
+  const W in_plane = sqrt(W(axis[0] * axis[0] + axis[1] * axis[1]));
+  if (!(in_plane > W(0))) return {{W(1), W(0), W(0)}};
+  return {{W(-axis[1] / in_plane), W(axis[0] / in_plane), W(0)}};
+}
+
 }  // namespace detail
 
 /// Eq. (4): Δp = (1 + c) μ v_n û; nothing where the sign of v_n is the wrong one.
@@ -85,10 +95,10 @@ Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number
   const W length_error = b.mu * u * (speed + after * sensitivity + W(b.loads) * (speed + after) / W(6));
   const W anywhere = W(2) * after * cosine;
   const W turn = detail::turn_of_axis(b);
-  Vec<W> v_after = W(-after * sine) * b.axis();
+  const Vec<W> w_hat = across > W(0) ? W(W(1) / across) * w : detail::any_across(b.axis());
+  const Vec<W> v_after = W(after * cosine) * w_hat - W(after * sine) * b.axis();
   W turned = anywhere;
   if (across > W(0)) {
-    v_after = v_after + W(after * cosine / across) * w;
     const W of_w = W(kRoundingsOfImpulse) * u * speed / across + W(2) * turn * speed / across;
     turned = std::min(anywhere, W(after * cosine * of_w));
   }
