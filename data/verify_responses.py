@@ -120,7 +120,9 @@ def group(q):
     for c in q["collisions"]:
         i, j = c["i"], c["j"]
         r = plus(vector(q["bodies"][j], "u"), vector(q["bodies"][i], "u"), -1)
+        claim(body[i].isdisjoint(body[j]) and (inverse[i] or inverse[j]) and any(r), "the collision is between two bodies")
         pair = Pair(r, plus(v[j], v[i], -1), inverse[i], inverse[j])
+        claim(dot(pair.v, r) * (1 if c["limit"] == "inner" else -1) <= 0, "the bodies move towards the limit")
         kind = pair.kinds(c)[0] if c["limit"] == "outer" else None
         stored = plus(pair.impulse(kind, c), pair.v, -pair.mu)
         undo.append((set(body[i]), set(body[j]), stored, inverse[i], inverse[j]))

@@ -4,10 +4,12 @@
 python3 data/verify_vectors.py [FILE|- ...]     (default: every data/vectors/*.jsonl)
 
 Timing and order are decided by integers alone: signs of the polynomial at both ends of an enclosure, of its slope (which
-says the branch) and of its discriminant. Responses are in verify_responses.py. Exit code 1 if a case is wrong.
+says the branch) and of its discriminant. Responses are in verify_responses.py, what the operations admit in verify_domain.py.
+Exit code 1 if a case is wrong.
 """
 import glob, json, math, os, sys
 
+from verify_domain import check_question
 from verify_responses import F, Pair, check_nearest, check_response, check_results, claim, dot, double, inverse_mass, plus, root, vector
 
 BROKEN = ValueError, KeyError, TypeError, AttributeError, ArithmeticError, IndexError
@@ -133,6 +135,7 @@ def check_next_event(case):
 
 
 def check(case, op):
+    check_question(op, case["in"])
     if op.endswith("_time"):
         return check_timing(case, op[:-5])
     if op == "next_event":

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "reference/scene/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps::properties {
 namespace {
@@ -23,8 +24,8 @@ double read_number(const Json& value, const std::string& key) {
     const HexFloat number = parse_hex_float(value.get_ref<const std::string&>());
     if (number.verdict == HexFloat::Verdict::exact) return number.value;
   }
-  throw std::invalid_argument(
-      fmt::format("{} has {}; a number is a hexadecimal float or \"inf\", in a string", key, value.dump()));
+  throw std::invalid_argument(fmt::format(
+      "{} has {}; a number is a hexadecimal float or \"inf\", in a string", key, tps::shown(value)));
 }
 
 /// "second.u_A" is a u_A.
@@ -116,7 +117,8 @@ Case read_case(const Json& json) {
       for (const Json& x : list) {
         c.numbers[key].push_back(read_number(x, key));
         if (!is_allowed(kind_of(key), c.numbers[key].back()))
-          throw std::invalid_argument(fmt::format("{} has {}, which is outside its range", key, x.dump()));
+          throw std::invalid_argument(
+              fmt::format("{} has {}, which is outside its range", key, tps::shown(x)));
       }
       if (is_vector(key) && static_cast<int>(c.numbers[key].size()) != c.dimension) {
         throw std::invalid_argument(

@@ -4,6 +4,7 @@
 
 #include "properties/classify.hpp"
 #include "properties/interview.hpp"
+#include "reference/process/interrupt.hpp"
 
 namespace tps::properties {
 namespace {
@@ -26,13 +27,14 @@ rc::Shrinkable<Case> draw(const Law& law, const Format& format, std::uint64_t se
 }
 
 /// Descends to a simpler finding of the same kind as long as there is one.
-void shrink(const Law& law, Implementation& subject, rc::Seq<rc::Shrinkable<Case>> shrinks,
+void shrink(const Law& law, Implementation& subject, bool bitwise, rc::Seq<rc::Shrinkable<Case>> shrinks,
             Finding& finding) {
   const Outcome::Kind kind = finding.outcome.kind;
   int left = kind == Outcome::Kind::failed ? kMostFailedShrinksTried : kMostShrinksTried;
   for (auto next = shrinks.next(); next && left > 0; next = shrinks.next(), --left) {
+    if (interrupt::requested() || !subject.given_up().empty()) return;
     const Case candidate = next->value();
-    Examined found = examine(law, subject, candidate);
+    Examined found = examine(law, subject, candidate, bitwise);
     if (found.outcome.kind != kind) continue;
     finding.shrunk = candidate;
     finding.outcome = std::move(found.outcome);
@@ -48,7 +50,12 @@ Case generated_case(const Law& law, const Format& format, std::uint64_t seed, st
   return draw(law, format, seed, number).value();
 }
 
-Examined examine(const Law& law, Implementation& subject, const Case& c) {
+Outcome judged(Outcome outcome, bool bitwise) {
+  if (bitwise && outcome.kind == Outcome::Kind::rounding) outcome.kind = Outcome::Kind::broken;
+  return outcome;
+}
+
+Examined examine(const Law& law, Implementation& subject, const Case& c, bool bitwise) {
   Interview interview(subject, c.dimension);
   Outcome outcome;
   try {
@@ -56,18 +63,32 @@ Examined examine(const Law& law, Implementation& subject, const Case& c) {
   } catch (const Unanswered& none) {
     outcome = none.outcome;
   }
-  return {outcome, interview.questions()};
+  return {judged(std::move(outcome), bitwise), interview.questions()};
 }
 
 std::optional<Finding> check_law(const Law& law, Implementation& subject, const Extent& extent, Tally& tally,
                                  const std::function<bool()>& stop) {
   const Format format = subject.format();
+  std::optional<Finding> refusal;
+  const auto found_at = [&](std::uint64_t number, const rc::Shrinkable<Case>& drawn, Examined found) {
+    const Case c = drawn.value();
+    Finding finding{&law, number, c, c, std::move(found.outcome), std::move(found.questions)};
+    try {
+      shrink(law, subject, extent.bitwise, drawn.shrinks(), finding);
+    } catch (const interrupt::Interrupted&) {
+      // as far as it got
+    }
+    return finding;
+  };
   for (std::uint64_t number = extent.first; number < extent.first + extent.count; ++number) {
-    if (stop()) break;
+    if (stop() || !subject.given_up().empty()) break;
     const rc::Shrinkable<Case> drawn = draw(law, format, extent.seed, number);
     const Case c = drawn.value();
-    Examined found = examine(law, subject, c);
+    Examined found = examine(law, subject, c, extent.bitwise);
     switch (found.outcome.kind) {
+      case Outcome::Kind::rounding:
+        if (tally.rounding++ == 0) tally.in_last_bits = found.outcome.why;
+        [[fallthrough]];
       case Outcome::Kind::holds:
         ++tally.held;
         for (const std::string& hazard : hazards_of(c)) ++tally.hazards[hazard];
@@ -80,13 +101,14 @@ std::optional<Finding> check_law(const Law& law, Implementation& subject, const 
         ++tally.skipped;
         tally.why_not = found.outcome.why;
         return std::nullopt;  // an operation that is not offered will not be offered for the next case
+      case Outcome::Kind::refused:
+        if (tally.refused++ == 0) refusal = found_at(number, drawn, std::move(found));
+        break;
       default:
-        Finding finding{&law, number, c, c, std::move(found.outcome), std::move(found.questions)};
-        shrink(law, subject, drawn.shrinks(), finding);
-        return finding;
+        return found_at(number, drawn, std::move(found));
     }
   }
-  return std::nullopt;
+  return refusal;
 }
 
 }  // namespace tps::properties

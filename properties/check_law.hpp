@@ -18,6 +18,7 @@ struct Extent {
   std::uint64_t seed = 20260101;
   std::uint64_t first = 0;
   std::uint64_t count = 500;
+  bool bitwise = false;  ///< a law that says bitwise is broken where it holds to rounding only
 };
 
 /// A case in which a law does not hold.
@@ -33,9 +34,15 @@ struct Finding {
 /// What became of the cases of one law.
 struct Tally {
   std::uint64_t held = 0, outside = 0, skipped = 0;
+  std::uint64_t rounding = 0;                    ///< of those that held: in their last bits they did not
+  std::uint64_t refused = 0;                     ///< questions that have an answer, and got none
+  std::string in_last_bits;                      ///< of the first of them, what differed
   std::map<std::string, std::uint64_t> hazards;  ///< cases in which the law held, by hazards_of()
   std::string why_not;                           ///< of the latest case outside, skipped
 };
+
+/// Whether a case that held to rounding is to count as broken.
+Outcome judged(Outcome outcome, bool bitwise);
 
 struct Examined {
   Outcome outcome;
@@ -43,9 +50,10 @@ struct Examined {
 };
 
 /// One case.
-Examined examine(const Law& law, Implementation& subject, const Case& c);
+Examined examine(const Law& law, Implementation& subject, const Case& c, bool bitwise = false);
 
-/// The cases of an extent, until one is a finding or `stop` says so.
+/// The cases of an extent, until one is a finding or `stop` says so. A refusal is a finding only where no
+/// case of the extent is another: the first, when all have been asked.
 std::optional<Finding> check_law(
     const Law& law, Implementation& subject, const Extent& extent, Tally& tally,
     const std::function<bool()>& stop = [] { return false; });

@@ -40,6 +40,8 @@ class Implementation {
   virtual Format format() const = 0;
   /// Never throws for what the implementation does.
   virtual Answer ask(const Question& question) = 0;
+  /// Why it is not worth asking any more; empty as long as it is.
+  virtual std::string given_up() const { return {}; }
 };
 
 }  // namespace tps::properties

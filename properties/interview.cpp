@@ -6,7 +6,10 @@
 #include <cstdlib>
 #include <limits>
 
+#include "properties/implementations/has_answer.hpp"
+#include "reference/process/interrupt.hpp"
 #include "reference/scene/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/trace/hexfloat.hpp"
 
 namespace tps::properties {
@@ -41,25 +44,25 @@ std::optional<Wide> wide_from(const Json& value) {
 
 Wide number_of(const std::string& op, const char* key, const Json& value) {
   const std::optional<Wide> x = wide_from(value);
-  if (!x) no_answer(op, fmt::format("has {} = {}, which is no hexadecimal float", key, value.dump()));
+  if (!x) no_answer(op, fmt::format("has {} = {}, which is no hexadecimal float", key, tps::shown(value)));
   return *x;
 }
 
 const Json& field(const std::string& op, const Json& out, const char* key) {
   const auto found = out.find(key);
-  if (found == out.end()) no_answer(op, fmt::format("has no {}: {}", key, out.dump()));
+  if (found == out.end()) no_answer(op, fmt::format("has no {}: {}", key, tps::shown(out)));
   return *found;
 }
 
 std::string word_of(const std::string& op, const Json& out, const char* key) {
   const Json& value = field(op, out, key);
-  if (!value.is_string()) no_answer(op, fmt::format("has {} = {}, which is no word", key, value.dump()));
+  if (!value.is_string()) no_answer(op, fmt::format("has {} = {}, which is no word", key, tps::shown(value)));
   return value.get<std::string>();
 }
 
 WideVector vector_of(const std::string& op, const char* key, const Json& value, int dimension) {
   if (!value.is_array() || static_cast<int>(value.size()) != dimension)
-    no_answer(op, fmt::format("has {} = {}, which is no vector of {}", key, value.dump(), dimension));
+    no_answer(op, fmt::format("has {} = {}, which is no vector of {}", key, tps::shown(value), dimension));
   return {number_of(op, key, value[0]), number_of(op, key, value[1]),
           dimension > 2 ? number_of(op, key, value[2]) : Wide(0)};
 }
@@ -90,16 +93,19 @@ Json Interview::pair_input(const PairState& pair) const {
 }
 
 Json Interview::ask(const std::string& op, Json in) {
+  interrupt::check();
   questions_.push_back({op, std::move(in)});
   Answer answer = subject_.ask(questions_.back());
   switch (answer.status) {
     case Answer::Status::answered:
-      if (!answer.out.is_object()) no_answer(op, "is no object: " + answer.out.dump());
+      if (!answer.out.is_object()) no_answer(op, "is no object: " + tps::shown(answer.out));
       return std::move(answer.out);
     case Answer::Status::skipped:
       throw Unanswered{{Outcome::Kind::skipped, fmt::format("{}: {}", op, answer.reason)}};
     case Answer::Status::refused:
-      throw Unanswered{{Outcome::Kind::outside, fmt::format("{}: {}", op, answer.reason)}};
+      throw Unanswered{
+          {has_answer(questions_.back(), subject_.format()) ? Outcome::Kind::refused : Outcome::Kind::outside,
+           fmt::format("{}: {}", op, answer.reason)}};
     default:
       throw Unanswered{{Outcome::Kind::failed, fmt::format("{}: {}", op, answer.reason)}};
   }
@@ -205,7 +211,7 @@ GroupVelocities Interview::group(const GroupCase& group) {
   const auto velocities = [&](const char* key) {
     const Json& list = field(op, out, key);
     if (!list.is_array() || list.size() != group.m.size())
-      no_answer(op, fmt::format("has {} = {}, which is no list of {} velocities", key, list.dump(),
+      no_answer(op, fmt::format("has {} = {}, which is no list of {} velocities", key, tps::shown(list),
                                 group.m.size()));
     std::vector<WideVector> result;
     for (const Json& v : list) result.push_back(vector_of(op, key, v, dimension_));

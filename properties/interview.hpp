@@ -66,7 +66,7 @@ class Interview {
   /// A result as it is passed on.
   Vec3 passed(const WideVector& x) const;
 
-  /// All of these throw Unanswered where there is no answer.
+  /// All of these throw Unanswered where there is no answer, and interrupt::Interrupted.
   Wide distance(const PairState& pair, double dt);
   Time block_time(const PairState& pair, double L);
   Time tether_time(const PairState& pair, double L);

@@ -28,7 +28,8 @@ class LawTest : public testing::Test {
       const auto implementation = reference(subject.name);
       Tally tally;
       const auto finding =
-          check_law(law_, *implementation, {.seed = 20260101, .first = 0, .count = subject.cases}, tally);
+          check_law(law_, *implementation,
+                    {.seed = 20260101, .first = 0, .count = subject.cases, .bitwise = true}, tally);
       if (finding) {
         std::ostringstream text;
         text << finding->shrunk << "\ngenerated: " << finding->generated;

@@ -9,6 +9,9 @@ namespace tps {
 std::string_view version();
 
 /// The version of the page of semantics that fixes what the paper leaves open (docs/decisions.md).
-inline constexpr int kSemanticsVersion = 1;
+inline constexpr int kSemanticsVersion = 2;
+/// The first version in which responses are rounded directedly (D22), and the oldest whose traces are read.
+inline constexpr int kDirectedSemantics = 2;
+inline constexpr int kOldestSemantics = 1;
 
 }  // namespace tps

@@ -5,13 +5,29 @@
 #include <algorithm>
 #include <numeric>
 
+#include "reference/process/interrupt.hpp"
+
 namespace tps::properties {
 namespace {
 
 constexpr std::uint64_t kCasesOfARound = 50;
 
+/// @return whether it was examined to the end of the extent, or found wanting.
+bool examined(LawReport& report, Implementation& subject, const Extent& extent,
+              const std::function<bool()>& stop) {
+  try {
+    std::optional<Finding> found = check_law(*report.law, subject, extent, report.tally, stop);
+    const bool refused_again = report.finding && found && found->outcome.kind == Outcome::Kind::refused;
+    if (found && !refused_again) report.finding = std::move(found);
+    return true;
+  } catch (const interrupt::Interrupted&) {
+    return false;
+  }
+}
+
 bool is_done(const LawReport& report) {
-  return report.finding || report.tally.skipped > 0;
+  const bool is_final = report.finding && report.finding->outcome.kind != Outcome::Kind::refused;
+  return is_final || report.tally.skipped > 0;
 }
 
 }  // namespace
@@ -39,10 +55,10 @@ Exploration explore(Implementation& subject, const Plan& plan, const std::functi
     const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
     for (LawReport& report : exploration.laws) {
       if (is_done(report)) continue;
-      report.finding =
-          check_law(*report.law, subject, {plan.seed, exploration.next, count}, report.tally, stop);
+      if (!examined(report, subject, {plan.seed, exploration.next, count, plan.bitwise}, stop))
+        return exploration;
     }
-    if (stop()) break;  // the round is asked again when going on
+    if (stop() || !subject.given_up().empty()) break;  // the round is asked again when going on
     exploration.next += count;
     after_round(exploration);
   }

@@ -15,12 +15,13 @@ struct Plan {
   std::uint64_t seed = 20260101;
   std::uint64_t first = 0;
   std::uint64_t count = 500;  ///< cases of each law, unless `stop` says so before
+  bool bitwise = false;       ///< laws that say bitwise have to hold so
 };
 
 struct LawReport {
   const Law* law;
   Tally tally;
-  std::optional<Finding> finding;  ///< the first; the law is not asked again
+  std::optional<Finding> finding;  ///< the first; the law is not asked again, unless it is a refusal
 };
 
 struct Exploration {
@@ -34,7 +35,8 @@ struct Exploration {
 };
 
 /// Every law in turn, a round of cases each, so that a stop finds all laws examined alike. `after_round` sees
-/// the state after each; `stop` is asked before each case.
+/// the state after each; `stop` is asked before each case. Ends, too, where a signal came or the subject is
+/// given up.
 Exploration explore(Implementation& subject, const Plan& plan, const std::function<bool()>& stop,
                     const std::function<void(const Exploration&)>& after_round);
 

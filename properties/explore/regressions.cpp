@@ -10,11 +10,17 @@
 
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/nearest_name.hpp"
+#include "reference/text/line_source.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/vectors/generate.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties {
 namespace {
+
+constexpr std::size_t kLongestRegression = std::size_t{1} << 20U;
+constexpr std::size_t kLongestReason = 300;
 
 std::vector<std::string> law_ids() {
   std::vector<std::string> ids;
@@ -53,8 +59,8 @@ void check_numbers(const Law& law, const Case& c) {
   if (example.numbers.contains("m")) check_group(c);
 }
 
-Regression read_regression(const std::string& line) {
-  const Json json = Json::parse(line);
+Regression read_regression(const std::string& line, const std::string& name, std::size_t number) {
+  const Json json = parse_plain_json(line, name, {}, number);
   const std::string id = json.at("law").get<std::string>();
   const Law* law = find_law(id);
   if (law == nullptr) {
@@ -97,11 +103,15 @@ std::string regression_line(const Finding& finding, const std::string& subject) 
 std::vector<Regression> read_regressions(std::istream& in, const std::string& name) {
   std::vector<Regression> regressions;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
+  LineRead read;
+  for (std::size_t number = 1; read_line(in, line, kLongestRegression, read); ++number) {
     try {
-      regressions.push_back(read_regression(line));
+      if (read.too_long)
+        throw std::invalid_argument(fmt::format("is longer than {} bytes; no case is", kLongestRegression));
+      regressions.push_back(read_regression(line, name, number));
     } catch (const nlohmann::json::exception& error) {
-      throw InputError({{name, number, "", fmt::format("is no regression: {}", error.what())}});
+      throw InputError(
+          {{name, number, "", fmt::format("is no regression: {}", printable(error.what(), kLongestReason))}});
     } catch (const std::invalid_argument& error) {
       throw InputError({{name, number, "", error.what()}});
     }

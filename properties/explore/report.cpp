@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <map>
 #include <sstream>
 
 #include "reference/scene/number_text.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -31,11 +33,21 @@ Json law_json(const LawText& text) {
   return {{"id", text.id}, {"number", text.number}, {"sentence", text.sentence}, {"page", text.page}};
 }
 
+const char* word_for(const Outcome& outcome) {
+  if (outcome.kind == Outcome::Kind::failed) return "failed";
+  return outcome.kind == Outcome::Kind::refused ? "refused" : "broken";
+}
+
+const char* loud_word_for(const Outcome& outcome) {
+  if (outcome.kind == Outcome::Kind::failed) return "FAILED";
+  return outcome.kind == Outcome::Kind::refused ? "REFUSED" : "BROKEN";
+}
+
 Json finding_json(const Finding& finding) {
   Json questions = Json::array();
   for (const Question& question : finding.questions)
     questions.push_back({{"op", question.op}, {"in", question.in}});
-  return {{"kind", finding.outcome.kind == Outcome::Kind::failed ? "failed" : "broken"},
+  return {{"kind", word_for(finding.outcome)},
           {"why", finding.outcome.why},
           {"number", finding.number},
           {"shrinks", finding.shrinks},
@@ -52,9 +64,23 @@ std::map<std::string, std::uint64_t> counted_hazards(const Exploration& explorat
   return sums;
 }
 
+std::size_t broken_in(const Exploration& exploration) {
+  const std::vector<const Finding*> findings = exploration.findings();
+  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const Finding* finding) {
+    return finding->outcome.kind != Outcome::Kind::refused;
+  }));
+}
+
+std::string refused_in(const Exploration& exploration) {
+  std::uint64_t refused = 0;
+  for (const LawReport& report : exploration.laws) refused += report.tally.refused;
+  return refused > 0 ? fmt::format(", questions refused {}", refused) : "";
+}
+
 std::string state_of(const LawReport& report) {
-  if (report.finding) return report.finding->outcome.kind == Outcome::Kind::failed ? "FAILED" : "BROKEN";
+  if (report.finding) return loud_word_for(report.finding->outcome);
   if (report.tally.skipped > 0) return "not offered";
+  if (report.tally.rounding > 0) return "to rounding";
   return report.tally.held > 0 ? "holds" : "not met";
 }
 
@@ -97,28 +123,59 @@ std::string finding_text(const Finding& finding, const Plan& plan) {
   const LawText& law = finding.law->text;
   std::string text = fmt::format(
       "{} {}: {}\n  {}, {}\n  {}\n  shrunk:    {}\n  generated: {} (case {} of seed {}, {} shrinks before)\n",
-      finding.outcome.kind == Outcome::Kind::failed ? "FAILED" : "BROKEN", law.number, law.sentence, law.id,
-      law.page, finding.outcome.why, shown(finding.shrunk), shown(finding.generated), finding.number,
-      plan.seed, finding.shrinks);
+      loud_word_for(finding.outcome), law.number, law.sentence, law.id, law.page, finding.outcome.why,
+      shown(finding.shrunk), shown(finding.generated), finding.number, plan.seed, finding.shrinks);
   for (const Question& question : finding.questions) text += "  " + command_of(question) + "\n";
-  return text;
+  return printable_lines(text);
+}
+
+std::string replay_text(const Replay& replay) {
+  std::string text;
+  for (const Finding& finding : replay.findings) text += finding_text(finding, {});
+  return text + fmt::format("{}: {} cases hold, {} broken, {} not asked\n", replay.subject, replay.held,
+                            replay.findings.size(), replay.not_asked);
+}
+
+std::string replay_json(const Replay& replay) {
+  Json findings = Json::array();
+  for (const Finding& finding : replay.findings) {
+    findings.push_back(law_json(finding.law->text));
+    findings.back()["finding"] = finding_json(finding);
+  }
+  return Json{{"subject", replay.subject},
+              {"held", replay.held},
+              {"broken", replay.findings.size()},
+              {"not_asked", replay.not_asked},
+              {"findings", findings}}
+             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+         "\n";
 }
 
 std::string exploration_text(const Exploration& exploration) {
   std::string text;
   for (const LawReport& report : exploration.laws) {
-    fmt::format_to(std::back_inserter(text), "{:<22} {:<12} {:>7} held {:>7} outside  {}\n",
+    const std::string refused =
+        report.tally.refused > 0 ? fmt::format("{:>5} refused  ", report.tally.refused) : "";
+    fmt::format_to(std::back_inserter(text), "{:<22} {:<12} {:>7} held {:>7} outside  {}{}\n",
                    report.law->text.number, state_of(report), report.tally.held, report.tally.outside,
-                   report.law->text.id);
+                   refused, report.law->text.id);
   }
   if (exploration.held() > 0) text += "cases held by hazard:";
   for (const auto& [hazard, count] : counted_hazards(exploration))
     text += fmt::format(" {} {},", hazard, count);
   if (exploration.held() > 0) text.back() = '\n';
+  for (const LawReport& report : exploration.laws) {
+    if (report.tally.rounding == 0) continue;
+    text += fmt::format("{} holds to rounding, not bitwise, in {} of {} cases ({}): {}\n",
+                        report.law->text.number, report.tally.rounding, report.tally.held,
+                        report.law->text.id, report.tally.in_last_bits);
+  }
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
-  return text + fmt::format("{}: laws {}, cases held {}, broken {}; go on with --seed {} --first {}\n",
-                            exploration.subject, exploration.laws.size(), exploration.held(),
-                            exploration.findings().size(), exploration.plan.seed, exploration.next);
+  return printable_lines(text) +
+         fmt::format("{}: laws {}, cases held {}, broken {}{}; go on with --seed {} --first {}\n",
+                     printable(exploration.subject), exploration.laws.size(), exploration.held(),
+                     broken_in(exploration), refused_in(exploration), exploration.plan.seed,
+                     exploration.next);
 }
 
 std::string exploration_json(const Exploration& exploration) {
@@ -128,6 +185,9 @@ std::string exploration_json(const Exploration& exploration) {
     one["state"] = state_of(report);
     one["held"] = report.tally.held;
     one["outside"] = report.tally.outside;
+    one["refused"] = report.tally.refused;
+    one["to_rounding"] = report.tally.rounding;
+    if (report.tally.rounding > 0) one["in_last_bits"] = report.tally.in_last_bits;
     if (report.tally.held == 0) one["why_not"] = report.tally.why_not;
     one["hazards"] = report.tally.hazards;
     if (report.finding) one["finding"] = finding_json(*report.finding);

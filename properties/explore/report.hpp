@@ -17,6 +17,15 @@ std::string finding_text(const Finding& finding, const Plan& plan);
 std::string exploration_text(const Exploration& exploration);
 std::string exploration_json(const Exploration& exploration);
 
+/// What became of cases that were kept.
+struct Replay {
+  std::string subject;
+  std::size_t held = 0, not_asked = 0;
+  std::vector<Finding> findings;
+};
+std::string replay_text(const Replay& replay);
+std::string replay_json(const Replay& replay);
+
 /// `tps eval …` for a question; group and order go by --in.
 std::string command_of(const Question& question);
 

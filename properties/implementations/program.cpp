@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,6 +12,9 @@
 #include "properties/implementations/child_process.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/serve_library.hpp"
+#include "reference/scene/input_error.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -22,10 +24,16 @@ using Status = ChildProcess::Line::Status;
 /// An interpreter may need longer to start than to reply.
 constexpr std::chrono::milliseconds kTimeToStart{10'000};
 
-std::string failure(const ChildProcess::Line& line, const ProgramOptions& options) {
-  if (line.status == Status::late) return fmt::format("hung: no reply within {} ms", options.timeout.count());
+std::string failure(const ChildProcess::Line& line, const char* what, std::chrono::milliseconds limit) {
+  if (line.status == Status::late)
+    return fmt::format("hung: no {} within {} ms{}", what, limit.count(), line.text);
   if (line.status == Status::too_long) return "garbage: a line without an end: " + line.text;
   return line.text;
+}
+
+/// These cost time each.
+bool waits_in_vain(const ChildProcess::Line& line) {
+  return line.status == Status::late || line.status == Status::closed;
 }
 
 class Program final : public Implementation {
@@ -37,73 +45,94 @@ class Program final : public Implementation {
 
   std::string name() const override { return name_; }
   Format format() const override { return Format::of_bits(bits_); }
+  std::string given_up() const override { return given_up_; }
 
   Answer ask(const Question& question) override {
+    if (!given_up_.empty()) return {Answer::Status::failed, {}, given_up_};
+    Answer answer = reply_to(question);
+    if (answer.status != Answer::Status::failed) {
+      failures_in_a_row_ = 0;
+      return answer;
+    }
+    child_.reset();
+    ++failures_in_a_row_;
+    if (hangs_ >= kMostHangs) given_up_ = fmt::format("given up after {} hangs", hangs_);
+    if (failures_in_a_row_ >= kMostFailuresInARow)
+      given_up_ = fmt::format("given up after {} failures in a row", failures_in_a_row_);
+    return answer;
+  }
+
+ private:
+  Answer reply_to(const Question& question) {
     if (child_ == nullptr) {
       if (const std::string problem = start(); !problem.empty())
         return {Answer::Status::failed, {}, "cannot be started again: " + problem};
     }
     ++seq_;
-    child_->write_line(request_line(seq_, question));  // a child that is gone shows when its reply is read
+    child_->write_line(request_line(seq_, question));
     const ChildProcess::Line line = child_->read_line(options_.timeout);
-    Answer answer = line.status == Status::line ? read_reply(line.text, seq_)
-                                                : Answer{Answer::Status::failed, {}, failure(line, options_)};
-    if (answer.status == Answer::Status::failed) child_.reset();
-    return answer;
+    hangs_ += waits_in_vain(line) ? 1 : 0;
+    if (line.status == Status::line) return read_reply(line.text, seq_);
+    return {Answer::Status::failed, {}, failure(line, "reply", options_.timeout)};
   }
 
- private:
   /// @return what is wrong; empty if it answers.
   std::string start() {
+    const std::chrono::milliseconds limit = std::max(options_.timeout, kTimeToStart);
     try {
       child_ = std::make_unique<ChildProcess>(body_);
     } catch (const std::system_error& error) {
       return error.what();
     }
     child_->write_line(R"({"hello":1})");
-    const ChildProcess::Line line = child_->read_line(std::max(options_.timeout, kTimeToStart));
-    std::string problem;
-    if (line.status != Status::line) {
-      problem = failure(line, options_);
-    } else {
-      const Json hello = Json::parse(line.text, nullptr, false);
-      if (!hello.is_object() || !hello.contains("name")) {
-        problem = "the answer to hello has no name: " + line.text.substr(0, 200);
-      } else if (options_.bits) {
-        bits_ = *options_.bits;
-      } else if (const auto bits = hello.find("bits"); bits != hello.end() && bits->is_number_integer()) {
-        bits_ = std::clamp(bits->get<int>(), 8, 400);
-      }
-    }
+    const ChildProcess::Line line = child_->read_line(limit);
+    hangs_ += waits_in_vain(line) ? 1 : 0;
+    const std::string problem =
+        line.status == Status::line ? read_hello(line.text) : failure(line, "answer to hello", limit);
     if (!problem.empty()) child_.reset();
     return problem;
   }
+
+  std::string read_hello(const std::string& line) {
+    Json hello;
+    try {
+      hello = parse_plain_json(line, "reply");
+    } catch (const InputError&) {
+      // Said below, as of any other line that is no answer.
+    }
+    if (!hello.is_object() || !hello.contains("name"))
+      return "the answer to hello has no name: " + printable(line, 200);
+    if (options_.bits) {
+      bits_ = *options_.bits;
+    } else if (const auto bits = hello.find("bits"); bits != hello.end()) {
+      const bool known =
+          bits->is_number_integer() && bits->get<double>() >= kLeastBits && bits->get<double>() <= kMostBits;
+      if (!known) {
+        return fmt::format("the answer to hello has bits = {}; allowed are integers from {} to {}",
+                           tps::shown(*bits), kLeastBits, kMostBits);
+      }
+      bits_ = bits->get<int>();
+    }
+    return {};
+  }
+
+  static constexpr int kLeastBits = 8, kMostBits = 400;
 
   std::string name_;
   std::function<int()> body_;
   ProgramOptions options_;
   int bits_ = 53;
   std::uint64_t seq_ = 0;
+  int hangs_ = 0, failures_in_a_row_ = 0;
+  std::string given_up_;
   std::unique_ptr<ChildProcess> child_;
 };
-
-constexpr int kNotExecuted = 127;  // as shells have it
-
-int execute(const std::vector<std::string>& words) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> arguments;
-  for (std::string& word : copies) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  ::execvp(arguments[0], arguments.data());
-  return kNotExecuted;
-}
 
 }  // namespace
 
 std::unique_ptr<Implementation> command(const std::vector<std::string>& words,
                                         const ProgramOptions& options) {
-  return std::make_unique<Program>(
-      fmt::format("{}", fmt::join(words, " ")), [words] { return execute(words); }, options);
+  return std::make_unique<Program>(fmt::format("{}", fmt::join(words, " ")), executing(words), options);
 }
 
 std::unique_ptr<Implementation> shared_library(const std::string& path, const ProgramOptions& options) {

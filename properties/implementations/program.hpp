@@ -24,7 +24,12 @@ struct ProgramOptions {
   std::optional<int> bits;                  ///< else as hello says ("bits"), else 53
 };
 
-/// Started now, and again after each failure. Throws ProgramError.
+/// After so many replies that did not come in time a program is given up, and after so many other failures in
+/// a row, too: a timeout each would take half an hour to say the same of every law.
+constexpr int kMostHangs = 5;
+constexpr int kMostFailuresInARow = 200;
+
+/// Started now, and again after each failure. Throws ProgramError. REQUIRES words, the first not empty.
 std::unique_ptr<Implementation> command(const std::vector<std::string>& words, const ProgramOptions& options);
 
 /// The same for a library (properties/c_abi/tps_implementation.h). Throws ProgramError.

@@ -2,13 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
+
 namespace tps::properties {
 namespace {
 
 constexpr std::size_t kShown = 120;
 
-Answer garbage(std::string_view line, const char* why) {
-  return {Answer::Status::failed, {}, fmt::format("garbage: {}: {}", why, line.substr(0, kShown))};
+Answer garbage(std::string_view line, std::string_view why) {
+  return {Answer::Status::failed, {}, fmt::format("garbage: {}: {}", why, printable(line, kShown))};
+}
+
+/// What the other program said, fit for a line of a report.
+std::string words(const Json& value) {
+  return value.is_string() ? printable(value.get_ref<const std::string&>(), kShown) : tps::shown(value);
 }
 
 }  // namespace
@@ -18,16 +28,22 @@ std::string request_line(std::uint64_t seq, const Question& question) {
 }
 
 Answer read_reply(std::string_view line, std::uint64_t seq) {
-  Json reply = Json::parse(line, nullptr, false);
-  if (reply.is_discarded()) return garbage(line, "not JSON");
+  Json reply;
+  try {
+    reply = parse_plain_json(line, "reply");
+  } catch (const InputError& error) {
+    const std::string problem = first_problem(error);
+    return garbage(line, problem.find("not JSON") != std::string::npos ? "not JSON" : problem);
+  }
   if (!reply.is_object() || !reply.contains("seq")) return garbage(line, "no object with seq");
   if (reply["seq"] != seq)
-    return {
-        Answer::Status::failed, {}, fmt::format("seq {} was asked, {} answered", seq, reply["seq"].dump())};
+    return {Answer::Status::failed,
+            {},
+            fmt::format("seq {} was asked, {} answered", seq, tps::shown(reply["seq"]))};
   const auto reason = [&](const char* key) {
-    const std::string kind = reply[key].is_string() ? reply[key].get<std::string>() : reply[key].dump();
     const auto message = reply.find("message");
-    return message != reply.end() && message->is_string() ? kind + ": " + message->get<std::string>() : kind;
+    const std::string kind = words(reply[key]);
+    return message != reply.end() && message->is_string() ? kind + ": " + words(*message) : kind;
   };
   if (reply.contains("out")) return {Answer::Status::answered, std::move(reply["out"])};
   if (reply.contains("skip")) return {Answer::Status::skipped, {}, reason("skip")};

@@ -1,12 +1,14 @@
 #include "properties/implementations/serve_library.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
@@ -31,6 +33,7 @@ const tps_implementation& load_table(const std::string& path) {
     throw std::runtime_error(fmt::format("has a table of version {}; this program knows version {}",
                                          table->version, TPS_IMPLEMENTATION_VERSION));
   }
+  if (table->name == nullptr) throw std::runtime_error("has a table without a name");
   return *table;
 }
 
@@ -193,20 +196,48 @@ Json reply_to(const tps_implementation& table, const Json& request) {
   return reply;
 }
 
-void write_line(const Json& reply) {
-  std::cout << reply.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
-}
+/// Requests and replies on descriptors of our own: what a library prints or closes is not the conversation.
+class Streams {
+ public:
+  Streams() : requests_(::fdopen(apart(STDIN_FILENO), "r")), replies_(::fdopen(apart(STDOUT_FILENO), "w")) {
+    const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+  bool read(std::string& line) {
+    line.clear();
+    for (int c = std::fgetc(requests_); c != EOF; c = std::fgetc(requests_)) {
+      if (c == '\n') return true;
+      line.push_back(static_cast<char>(c));
+    }
+    return false;
+  }
+  void write(const Json& reply) {
+    const std::string text = reply.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    std::fwrite(text.data(), 1, text.size(), replies_);
+    std::fflush(replies_);
+  }
+
+ private:
+  static int apart(int standard) {
+    constexpr int kAbove = 100;
+    return ::fcntl(standard, F_DUPFD_CLOEXEC, kAbove);
+  }
+  std::FILE* requests_;
+  std::FILE* replies_;
+};
 
 }  // namespace
 
 int serve_library(const std::string& path) {
+  Streams streams;
   std::string line;
   try {
     const tps_implementation& table = load_table(path);
-    while (std::getline(std::cin, line)) write_line(reply_to(table, Json::parse(line)));
+    while (streams.read(line)) streams.write(reply_to(table, Json::parse(line)));
     return 0;
   } catch (const std::runtime_error& error) {
-    write_line({{"error", error.what()}});
+    streams.write({{"error", error.what()}});
     return 1;
   }
 }

@@ -1,4 +1,4 @@
-// Eq. (4).
+// Eq. (4), docs/eq4.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"
@@ -42,16 +42,17 @@ Outcome normal_turns_and_tangential_stays(Interview& ask, const Case& c) {
   return at_most("the error of v_AB'", norm(k.after - expected), k.error);
 }
 
-/// Refuses a pair at one point, to which eq. (4) has no answer.
-void require_axis(const Case& c) {
-  static_cast<void>(Encounter(c.pair()));
+/// What rounding does to Δp, twice: once for each of two answers. Refuses a pair at one point, to which eq.
+/// (4) has no answer.
+Wide twice_the_rounding(Interview& ask, const Case& c) {
+  return 2 * reduced_mass(c.masses()) * collision_error(Encounter(c.pair()), c.number("c"), ask.u());
 }
 
 Outcome the_impulse_is_opposite(Interview& ask, const Case& c) {
-  require_axis(c);
-  return same("Δp with the names exchanged",
-              opposite(ask.collision_impulse(swapped(c.pair()), swapped(c.masses()), c.number("c"))),
-              ask.collision_impulse(c.pair(), c.masses(), c.number("c")));
+  const Wide rounding = twice_the_rounding(ask, c);
+  return same_to("Δp with the names exchanged",
+                 opposite(ask.collision_impulse(swapped(c.pair()), swapped(c.masses()), c.number("c"))),
+                 ask.collision_impulse(c.pair(), c.masses(), c.number("c")), rounding);
 }
 
 Outcome energy_falls(Interview& ask, const Case& c) {
@@ -68,14 +69,14 @@ Outcome angular_momentum_is_conserved(Interview& ask, const Case& c) {
 }
 
 Outcome powers_of_two(Interview& ask, const Case& c) {
-  require_axis(c);
+  const Wide rounding = twice_the_rounding(ask, c);
   const int speeds = c.integer("power_of_speeds"), of_masses = c.integer("power_of_masses");
   const Masses m = c.masses();
   const WideVector dp =
       ask.collision_impulse(scaled(c.pair(), c.integer("power_of_lengths"), speeds),
                             {std::ldexp(m.A, of_masses), std::ldexp(m.B, of_masses)}, c.number("c"));
-  return same("Δp of scaled numbers, scaled back", ldexp(Wide(1), -speeds - of_masses) * dp,
-              ask.collision_impulse(c.pair(), m, c.number("c")));
+  return same_to("Δp of scaled numbers, scaled back", ldexp(Wide(1), -speeds - of_masses) * dp,
+                 ask.collision_impulse(c.pair(), m, c.number("c")), rounding);
 }
 
 }  // namespace

@@ -34,6 +34,19 @@ Outcome same(const std::string& what, const T& one, const T& other) {
   return broken(what + ": " + text(one) + ", but " + text(other));
 }
 
+/// Bitwise, or else to `rounding`: the errors that the laws to rounding leave both answers. Real arithmetic
+/// gives one answer to both questions, so each is off by at most its own error.
+inline Outcome same_to(const std::string& what, const WideVector& one, const WideVector& other,
+                       const Wide& rounding) {
+  const Outcome bitwise = same(what, one, other);
+  if (bitwise.kind == Outcome::Kind::holds) return bitwise;
+  const Wide apart = norm(one - other);
+  if (apart <= rounding)
+    return to_rounding(bitwise.why + ": " + text(apart) + " apart, which rounding may do up to " +
+                       text(rounding));
+  return broken(bitwise.why + ": " + text(apart) + " apart; rounding explains at most " + text(rounding));
+}
+
 inline WideVector opposite(const WideVector& a) {
   return {-a.x, -a.y, -a.z};
 }

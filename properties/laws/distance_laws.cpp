@@ -1,4 +1,4 @@
-// Eq. (1).
+// Eq. (1), docs/eq1.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"
@@ -14,10 +14,16 @@ void flight(Case& c, const Format& format) {
   c.set("dt", number(format));
 }
 
+/// |u| of both and the way of both: a distance errs by 3u of it (docs/eq1.md).
+Wide lengths_of(const PairState& p, double dt) {
+  return norm(wide(p.u_A)) + norm(wide(p.u_B)) + (norm(wide(p.v_A)) + norm(wide(p.v_B))) * abs(Wide(dt));
+}
+
 Outcome swap_of_distance(Interview& ask, const Case& c) {
   const PairState p = c.pair();
-  return same("distance with A and B exchanged", ask.distance(swapped(p), c.number("dt")),
-              ask.distance(p, c.number("dt")));
+  const double dt = c.number("dt");
+  return same_to("distance with A and B exchanged", {ask.distance(swapped(p), dt), 0, 0},
+                 {ask.distance(p, dt), 0, 0}, 6 * ask.u() * lengths_of(p, dt) * kSlack);
 }
 
 // The norm errs by 3u: r 1u, its squares, sums and root 2u.
@@ -32,8 +38,7 @@ Outcome now_is_the_separation(Interview& ask, const Case& c) {
 Outcome equal_velocities_keep_it(Interview& ask, const Case& c) {
   PairState p = c.pair();
   p.v_B = p.v_A;
-  const Wide dt = c.number("dt");
-  const Wide lengths = norm(wide(p.u_A)) + norm(wide(p.u_B)) + 2 * norm(wide(p.v_A)) * abs(dt);
+  const Wide lengths = lengths_of(p, c.number("dt"));
   return at_most("the change of the distance",
                  abs(Wide(ask.distance(p, c.number("dt")) - ask.distance(p, 0))),
                  6 * ask.u() * lengths * kSlack);

@@ -1,4 +1,4 @@
-// Eqs. (6) and (7) nested: `group`.
+// Eqs. (6) and (7) nested: `group` (docs/protocol.md; the equations: docs/eq6.md, docs/eq7.md).
 #include <algorithm>
 #include <string>
 
@@ -127,9 +127,11 @@ Outcome sibling_order_is_irrelevant(Interview& ask, const Case& c) {
   const GroupVelocities other = ask.group(group);
   Outcome outcome;
   for (std::size_t n = 0; n < group.m.size(); ++n) {
-    outcome = all_of(
-        outcome, same("loaded velocity, siblings exchanged", other.loaded[n], one.loaded[n]),
-        same("velocity after restitution, siblings exchanged", other.restituted[n], one.restituted[n]));
+    outcome = all_of(outcome,
+                     same_to("loaded velocity, siblings exchanged", other.loaded[n], one.loaded[n],
+                             2 * error(group, ask.u())),
+                     same_to("velocity after restitution, siblings exchanged", other.restituted[n],
+                             one.restituted[n], 2 * error(group, ask.u())));
   }
   return outcome;
 }

@@ -1,4 +1,4 @@
-// Eq. (3).
+// Eq. (3), docs/eq3.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"
@@ -21,7 +21,8 @@ Velocities after(Interview& ask, const Case& c) {
   return ask.apply_impulse(c.masses(), c.vector("v_A"), c.vector("v_B"), c.vector("dp"));
 }
 
-// m v' = m v + Δp + δ₁ Δp + δ₂ m v' for each body and component, |δ| ≤ u.
+// m v' = m v + Δp + δ₁ Δp + δ₂ m v' for each body and component: |δ₂| ≤ u, and |δ₁| ≤ 2u, one for the
+// quotient Δp/m, or two for Δp times a rounded 1/m. Second orders are in kSlack.
 Outcome momentum_is_conserved(Interview& ask, const Case& c) {
   const Masses m = c.masses();
   if (std::isinf(m.A) || std::isinf(m.B)) return outside("an infinite mass takes any momentum");
@@ -33,7 +34,7 @@ Outcome momentum_is_conserved(Interview& ask, const Case& c) {
   Outcome outcome;
   for (std::size_t k = 0; k < 3; ++k) {
     const Wide gained = m_A * (new_A[k] - v_A[k]) + m_B * (new_B[k] - v_B[k]);
-    const Wide sizes = 2 * abs(dp[k]) + m_A * abs(new_A[k]) + m_B * abs(new_B[k]);
+    const Wide sizes = 4 * abs(dp[k]) + m_A * abs(new_A[k]) + m_B * abs(new_B[k]);
     outcome = all_of(outcome, at_most("the momentum gained", abs(gained), ask.u() * sizes * kSlack));
   }
   return outcome;
@@ -54,13 +55,21 @@ Outcome an_infinite_mass_keeps_its_velocity(Interview& ask, const Case& c) {
   return same("v_B of the infinite mass", answer.v_B, wide(c.vector("v_B")));
 }
 
+/// What rounding does to v' = v + Δp/m, by the same count, twice: once for each of two answers.
+Wide twice_the_rounding(Interview& ask, double mass, const Vec3& dp, const WideVector& after) {
+  return 2 * ask.u() * (2 * inverse_mass(mass) * norm(wide(dp)) + norm(after)) * kSlack;
+}
+
 Outcome swap_of_names(Interview& ask, const Case& c) {
   const Vec3 dp = c.vector("dp");
   const Velocities answer = after(ask, c);
   const Velocities other = ask.apply_impulse(swapped(c.masses()), c.vector("v_B"), c.vector("v_A"),
                                              {0 - dp[0], 0 - dp[1], 0 - dp[2]});
-  return all_of(same("v_A' with the names exchanged", other.v_B, answer.v_A),
-                same("v_B' with the names exchanged", other.v_A, answer.v_B));
+  const Masses m = c.masses();
+  return all_of(same_to("v_A' with the names exchanged", other.v_B, answer.v_A,
+                        twice_the_rounding(ask, m.A, dp, answer.v_A)),
+                same_to("v_B' with the names exchanged", other.v_A, answer.v_B,
+                        twice_the_rounding(ask, m.B, dp, answer.v_B)));
 }
 
 }  // namespace
@@ -70,7 +79,7 @@ void add_laws(std::vector<Law>& laws) {
   const std::vector<std::string> operation{"apply_impulse"};
   laws.push_back(
       {{"Eq3Laws.Law1MomentumIsConserved", "(3) law 1",
-        "m_A v_A + m_B v_B is conserved, each component to u (2|Δp| + m_A|v_A'| + m_B|v_B'|)", page},
+        "m_A v_A + m_B v_B is conserved, each component to u (4|Δp| + m_A|v_A'| + m_B|v_B'|)", page},
        operation,
        cases(pushed_pair),
        momentum_is_conserved});

@@ -1,4 +1,4 @@
-// Eq. (2): what does not matter to a timing query.
+// Eq. (2): what does not matter to a timing query (docs/eq2.md).
 #include <algorithm>
 #include <numeric>
 
@@ -15,10 +15,11 @@ const std::vector<std::string> kBoth{"block_time", "tether_time"};
 
 /// Both queries answer alike, bitwise, about the case's pair and another one.
 Outcome same_times(Interview& ask, const char* what, const Case& c, const PairState& other) {
-  const double L = c.number("L");
-  return all_of(
-      same(std::string(what) + ", block_time", ask.block_time(other, L), ask.block_time(c.pair(), L)),
-      same(std::string(what) + ", tether_time", ask.tether_time(other, L), ask.tether_time(c.pair(), L)));
+  const auto check = [&](TimingKind kind, const char* op) {
+    const LimitQuery one{kind, other, c.number("L")}, two{kind, c.pair(), c.number("L")};
+    return same_to(std::string(what) + op, {one, ask.time(one)}, {two, ask.time(two)}, 0, ask.u());
+  };
+  return all_of(check(TimingKind::block, ", block_time"), check(TimingKind::tether, ", tether_time"));
 }
 
 Outcome swap_of_names(Interview& ask, const Case& c) {
@@ -36,12 +37,12 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
   const double L = c.number("L");
   const int power = c.integer("power");
   const auto check = [&](TimingKind kind) {
-    const Time at = ask.time({kind, p, L});
-    Time sooner = at;
-    if (sooner.t) sooner.t = ldexp(*sooner.t, -power);
-    return all_of(same("lengths and velocities times 2^power",
-                       ask.time({kind, scaled(p, power, power), std::ldexp(L, power)}), at),
-                  same("velocities times 2^power", ask.time({kind, scaled(p, 0, power), L}), sooner));
+    const auto asked = [&](const LimitQuery& query) { return TimedAnswer{query, ask.time(query)}; };
+    const TimedAnswer at = asked({kind, p, L});
+    return all_of(
+        same_to("lengths and velocities times 2^power",
+                asked({kind, scaled(p, power, power), std::ldexp(L, power)}), at, 0, ask.u()),
+        same_to("velocities times 2^power", asked({kind, scaled(p, 0, power), L}), at, -power, ask.u()));
   };
   return all_of(check(TimingKind::block), check(TimingKind::tether));
 }

@@ -93,4 +93,26 @@ inline Outcome arrives(const LimitQuery& query, const Time& at, const Wide& u) {
                  landing_error(q, u));
 }
 
+/// An answer and its question, which real arithmetic answers as it does another one, times 2^power.
+struct TimedAnswer {
+  LimitQuery query;
+  Time at;
+};
+
+/// Bitwise, or else to rounding: the verdicts are those of a stable evaluation, and both times arrive.
+inline Outcome same_to(const std::string& what, const TimedAnswer& one, const TimedAnswer& other, int power,
+                       const Wide& u) {
+  Time expected = other.at;
+  if (expected.t) expected.t = ldexp(*expected.t, power);
+  const Outcome bitwise = same(what, one.at, expected);
+  if (bitwise.kind == Outcome::Kind::holds) return bitwise;
+  const auto certain = certain_verdict(other.query, u);
+  for (const TimedAnswer* each : {&one, &other}) {
+    if (certain && each->at.verdict != name(*certain)) return bitwise;
+    const Outcome arrival = arrives(each->query, each->at, u);
+    if (arrival.kind != Outcome::Kind::holds) return broken(bitwise.why + "; " + arrival.why);
+  }
+  return to_rounding(bitwise.why + ", both right to rounding");
+}
+
 }  // namespace tps::properties

@@ -1,4 +1,4 @@
-// Eq. (6).
+// Eq. (6), docs/eq6.md.
 #include <algorithm>
 #include <array>
 
@@ -52,17 +52,23 @@ Outcome between_the_two(Interview& ask, const Case& c) {
   return outcome;
 }
 
+/// 5u of the speeds, as above.
+Wide rounding(Interview& ask, const Case& c) {
+  return 5 * ask.u() * (norm(wide(c.vector("v_A"))) + norm(wide(c.vector("v_B")))) * kSlack;
+}
+
 Outcome swap_of_names(Interview& ask, const Case& c) {
-  return same("v_load with the names exchanged",
-              ask.load(swapped(c.masses()), c.vector("v_B"), c.vector("v_A")),
-              ask.load(c.masses(), c.vector("v_A"), c.vector("v_B")));
+  return same_to("v_load with the names exchanged",
+                 ask.load(swapped(c.masses()), c.vector("v_B"), c.vector("v_A")),
+                 ask.load(c.masses(), c.vector("v_A"), c.vector("v_B")), 2 * rounding(ask, c));
 }
 
 Outcome an_infinite_mass_takes_the_other_along(Interview& ask, const Case& c) {
   const Masses m = c.masses();
   if (!std::isinf(m.A) && !std::isinf(m.B)) return outside("both masses are finite");
-  return same("v_load, and the velocity of the infinite mass", ask.load(m, c.vector("v_A"), c.vector("v_B")),
-              wide(c.vector(std::isinf(m.A) ? "v_A" : "v_B")));
+  return same_to("v_load, and the velocity of the infinite mass",
+                 ask.load(m, c.vector("v_A"), c.vector("v_B")),
+                 wide(c.vector(std::isinf(m.A) ? "v_A" : "v_B")), rounding(ask, c));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A tethered pair on its way around: eqs. (2), (5) and (3) in turn.
+// A tethered pair on its way around: eqs. (2), (5) and (3) in turn (docs/eq5.md).
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"
@@ -67,6 +67,9 @@ Outcome four_events_a_revolution(Interview& ask, const Case& c) {
   const Encounter start(PairState{{}, c.vector("u_B"), {}, c.vector("v_B")});
   if (start.v_n != 0 || start.distance != Wide(c.number("L")))
     return outside("the pair does not start perpendicular at its limit");
+  // At c_revolve = 0 or v = 0 nothing is left that moves on the orbit.
+  if (c.number("c_revolve") == 0) return outside("a pair that a revolution stops has no orbit");
+  if (start.speed == 0) return outside("a pair at rest has no orbit");
   orbit.respond();
   const Wide speed = orbit.speed();
   const WideVector position = orbit.position();

@@ -1,4 +1,4 @@
-// The order of two events (semantics §1).
+// The order of two events (semantics §1; docs/exact.md, docs/eq2.md).
 #include <array>
 
 #include "properties/generators/cases.hpp"

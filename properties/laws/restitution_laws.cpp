@@ -1,4 +1,4 @@
-// Eq. (7), with (6) and (3).
+// Eq. (7), with (6) and (3); docs/eq7.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/law.hpp"
@@ -23,7 +23,7 @@ Wide momenta(const Case& c) {
          reduced_mass(c.masses()) * norm(wide(c.vector("v_B")) - wide(c.vector("v_A")));
 }
 
-// Eq. (6) errs by 5u of the speeds, eq. (7) by 6u (|Δp| + μ|v_AB|), each eq. (3) by 1u of Δp/m and of v';
+// Eq. (6) errs by 5u of the speeds, eq. (7) by 6u (|Δp| + μ|v_AB|), each eq. (3) by 2u of Δp/m and 1u of v';
 // what is passed on is rounded.
 Outcome load_and_restitution_are_the_collision(Interview& ask, const Case& c) {
   const Masses m = c.masses();
@@ -35,8 +35,8 @@ Outcome load_and_restitution_are_the_collision(Interview& ask, const Case& c) {
   const Wide u = ask.u(), u_passed = ask.u_passed();
   const Wide speeds = norm(wide(v_A)) + norm(wide(v_B));
   const auto agree = [&](const char* what, double mass, const WideVector& x, const WideVector& y) {
-    const Wide rounding = (5 * u + u_passed) * speeds + (8 * u + u_passed) * momenta(c) * inverse_mass(mass) +
-                          u * (norm(x) + norm(y));
+    const Wide rounding = (5 * u + u_passed) * speeds +
+                          (10 * u + u_passed) * momenta(c) * inverse_mass(mass) + u * (norm(x) + norm(y));
     return at_most(what, norm(x - y), rounding * kSlack);
   };
   return all_of(agree("grouped and at once v_A' differ, which", m.A, grouped.v_A, at_once.v_A),
@@ -64,10 +64,11 @@ Outcome the_energy_kept(Interview& ask, const Case& c) {
 
 Outcome the_impulse_is_opposite(Interview& ask, const Case& c) {
   const Vec3 dp = c.vector("dp");
-  return same("Δp_AB with the names exchanged",
-              opposite(ask.restitution_impulse(swapped(c.masses()), c.vector("v_B"), c.vector("v_A"),
-                                               {0 - dp[0], 0 - dp[1], 0 - dp[2]})),
-              ask.restitution_impulse(c.masses(), c.vector("v_A"), c.vector("v_B"), dp));
+  return same_to("Δp_AB with the names exchanged",
+                 opposite(ask.restitution_impulse(swapped(c.masses()), c.vector("v_B"), c.vector("v_A"),
+                                                  {0 - dp[0], 0 - dp[1], 0 - dp[2]})),
+                 ask.restitution_impulse(c.masses(), c.vector("v_A"), c.vector("v_B"), dp),
+                 2 * 6 * ask.u() * momenta(c) * kSlack);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Eq. (5).
+// Eq. (5), docs/eq5.md.
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"
@@ -27,6 +27,11 @@ Encounter turning_encounter(const Case& c) {
   Encounter x(c.pair());
   if (!turns(x)) throw Unanswered{outside("hardly any motion across the axis")};
   return x;
+}
+
+/// What rounding does to Δp, twice: once for each of two answers.
+Wide twice_the_rounding(Interview& ask, const Case& c) {
+  return 2 * reduced_mass(c.masses()) * revolution_error(turning_encounter(c), ask.u());
 }
 
 WideVector impulse(Interview& ask, const Case& c, const PairState& pair, const Masses& m) {
@@ -64,10 +69,10 @@ Outcome speed_falls_by_the_ratio(Interview& ask, const Case& c) {
 }
 
 Outcome the_impulse_is_opposite(Interview& ask, const Case& c) {
-  turning_encounter(c);
-  return same("Δp with the names exchanged",
-              opposite(impulse(ask, c, swapped(c.pair()), swapped(c.masses()))),
-              impulse(ask, c, c.pair(), c.masses()));
+  const Wide rounding = twice_the_rounding(ask, c);
+  return same_to("Δp with the names exchanged",
+                 opposite(impulse(ask, c, swapped(c.pair()), swapped(c.masses()))),
+                 impulse(ask, c, c.pair(), c.masses()), rounding);
 }
 
 Outcome energy_falls(Interview& ask, const Case& c) {
@@ -79,13 +84,13 @@ Outcome energy_falls(Interview& ask, const Case& c) {
 }
 
 Outcome powers_of_two(Interview& ask, const Case& c) {
-  turning_encounter(c);
+  const Wide rounding = twice_the_rounding(ask, c);
   const int speeds = c.integer("power_of_speeds"), of_masses = c.integer("power_of_masses");
   const Masses m = c.masses();
   const WideVector dp = impulse(ask, c, scaled(c.pair(), c.integer("power_of_lengths"), speeds),
                                 {std::ldexp(m.A, of_masses), std::ldexp(m.B, of_masses)});
-  return same("Δp of scaled numbers, scaled back", ldexp(Wide(1), -speeds - of_masses) * dp,
-              impulse(ask, c, c.pair(), m));
+  return same_to("Δp of scaled numbers, scaled back", ldexp(Wide(1), -speeds - of_masses) * dp,
+                 impulse(ask, c, c.pair(), m), rounding);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The response at a tethering distance: eq. (4) where a retraction suffices, else eq. (5); applied by eq.
-// (3).
+// (3). docs/eq5.md.
+#include <optional>
+
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"
 #include "properties/generators/pairs.hpp"
@@ -36,7 +38,7 @@ struct Pull {
     const Wide equation =
         answer.kind == "retract" ? collision_error(x, c_retract, ask.u()) : revolution_error(x, ask.u());
     const Wide applied =
-        ask.u() * (norm(answer.dp) / reduced_mass(m) + norm(answer.after.v_A) + norm(answer.after.v_B));
+        ask.u() * (2 * norm(answer.dp) / reduced_mass(m) + norm(answer.after.v_A) + norm(answer.after.v_B));
     error = equation + applied * kSlack;
     after = answer.after.v_B - answer.after.v_A;
   }
@@ -65,17 +67,22 @@ Outcome the_answer_is_that_of_its_equation(Interview& ask, const Case& c) {
 
 // v_n errs by 8u |v_AB| (v_AB 1u, û 3.5u, the scalar product 3u), |v_ŵ| by 15u |v_AB| and 2.5u of itself, tan
 // θ by 6u, each product by 1u.
-Outcome the_condition_decides(Interview& ask, const Case& c) {
-  const Pull k(ask, c);
+std::optional<std::string> certain_kind(Interview& ask, const Pull& k) {
   const Wide tangent = tan(radians(k.theta));
   const Wide closing = Wide(k.c_retract) * k.x.v_n;
   const Wide needed = tangent * k.x.tangential;
   const Wide error = ask.u() *
                      (9 * Wide(k.c_retract) * k.x.speed + tangent * (15 * k.x.speed + 10 * k.x.tangential)) *
                      kSlack;
-  if (abs(Wide(closing - needed)) <= error) return outside("rounding may decide between (4) and (5)");
-  return same("the kind, and that of the condition", k.answer.kind,
-              std::string(closing > needed ? "retract" : "revolve"));
+  if (abs(Wide(closing - needed)) <= error) return std::nullopt;
+  return closing > needed ? "retract" : "revolve";
+}
+
+Outcome the_condition_decides(Interview& ask, const Case& c) {
+  const Pull k(ask, c);
+  const std::optional<std::string> certain = certain_kind(ask, k);
+  if (!certain) return outside("rounding may decide between (4) and (5)");
+  return same("the kind, and that of the condition", k.answer.kind, *certain);
 }
 
 Outcome closes_at_theta_or_more(Interview& ask, const Case& c) {
@@ -91,11 +98,12 @@ Outcome closes_at_theta_or_more(Interview& ask, const Case& c) {
   return at_most("v_n' cos θ + |v_ŵ'| sin θ", excess, 2 * k.error + condition);
 }
 
+// As eq. (3): Δp/m errs by 1u, Δp times a rounded 1/m by 2u, the sum by 1u.
 Outcome momentum_is_conserved(Interview& ask, const Case& c) {
   const Pull k(ask, c);
   const auto gained = [&](const char* who, const Wide& inverse, const WideVector& before,
                           const WideVector& after, const WideVector& dp) {
-    const Wide error = ask.u() * (inverse * norm(dp) + norm(after)) * kSlack;
+    const Wide error = ask.u() * (2 * inverse * norm(dp) + norm(after)) * kSlack;
     return at_most(std::string("the error of v_") + who + "' = v_" + who + " ± Δp/m",
                    norm(after - before - inverse * dp), error);
   };
@@ -113,9 +121,14 @@ Outcome the_names_may_be_exchanged(Interview& ask, const Case& c) {
   const Pull k(ask, c);
   const TetherAnswer other =
       ask.tether_response(swapped(c.pair()), swapped(k.m), k.c_retract, k.c_revolve, k.theta);
-  return all_of(same("the kind with the names exchanged", other.kind, k.answer.kind),
-                same("v_A' with the names exchanged", other.after.v_B, k.answer.after.v_A),
-                same("v_B' with the names exchanged", other.after.v_A, k.answer.after.v_B));
+  if (other.kind != k.answer.kind) {
+    const Outcome kinds = same("the kind with the names exchanged", other.kind, k.answer.kind);
+    return certain_kind(ask, k) ? kinds : to_rounding(kinds.why + ", between which rounding may decide");
+  }
+  // A body's velocity errs by no more than the relative one may: its share of (4) or (5), and its own eq.
+  // (3).
+  return all_of(same_to("v_A' with the names exchanged", other.after.v_B, k.answer.after.v_A, 2 * k.error),
+                same_to("v_B' with the names exchanged", other.after.v_A, k.answer.after.v_B, 2 * k.error));
 }
 
 }  // namespace
@@ -132,7 +145,7 @@ void add_laws(std::vector<Law>& laws) {
       "it retracts where |c_retract v_n| > tan θ |v_ŵ| beyond rounding, and revolves where it is less",
       the_condition_decides);
   add("TetherResponseLaws.Law4MomentumIsConserved", "tether response law 4",
-      "v_A' = v_A + Δp/m_A and v_B' = v_B − Δp/m_B, to u (|Δp|/m + |v'|)", momentum_is_conserved);
+      "v_A' = v_A + Δp/m_A and v_B' = v_B − Δp/m_B, to u (2|Δp|/m + |v'|)", momentum_is_conserved);
   add("TetherResponseLaws.Law5EnergyNeverRises", "tether response law 5",
       "the relative speed, and with it the kinetic energy, never rises", energy_never_rises);
   add("TetherResponseLaws.Law6TheNamesMayBeExchanged", "tether response law 6",

@@ -1,4 +1,4 @@
-// Eq. (2): what the answers to timing queries say.
+// Eq. (2): what the answers to timing queries say (docs/eq2.md).
 #include <algorithm>
 
 #include "properties/generators/cases.hpp"

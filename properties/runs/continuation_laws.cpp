@@ -12,7 +12,7 @@ namespace {
 /// start.
 RunVerdict resumes(const Scene& scene, Simulator& simulator) {
   const Extent extent{.max_events = 60, .state_every = 7};
-  const std::string whole = simulator.simulate(scene, extent);
+  const std::string whole = simulator.full_trace(scene, extent);
   const std::size_t start = whole.find('\n', whole.find("\n{\"state\":") + 1) + 1;
   for (std::size_t parts = 0; parts <= 3; ++parts) {
     const std::size_t cut = start + (whole.size() - start) * parts / 3;

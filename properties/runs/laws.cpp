@@ -20,9 +20,25 @@ const std::vector<RunLaw>& run_laws() {
   return laws;
 }
 
-void check_law(const RunLaw& law, Simulator& simulator, int dimension) {
+namespace {
+
+RunVerdict judged(const RunLaw& law, const Scene& scene, Simulator& simulator, Instead* instead) {
+  try {
+    return law.judge(scene, simulator);
+  } catch (const MinimalTrace& minimal) {
+    if (instead == nullptr) return RunVerdict::broken(minimal.what());
+    ++instead->traces;
+    const std::optional<std::string> fault = instead->fault_in(minimal.bytes);
+    return fault ? RunVerdict::broken("a minimal trace, which the check judges instead of the law: " + *fault)
+                 : RunVerdict{};
+  }
+}
+
+}  // namespace
+
+void check_law(const RunLaw& law, Simulator& simulator, int dimension, Instead* instead) {
   const SmallScene small = *law.scenes(dimension);
-  const RunVerdict verdict = law.judge(small.scene, simulator);
+  const RunVerdict verdict = judged(law, small.scene, simulator, instead);
   RC_PRE(verdict.kind != RunVerdict::Kind::not_asked);
   if (verdict.kind == RunVerdict::Kind::holds) return;
   std::ostringstream report;

@@ -39,8 +39,17 @@ struct RunLaw {
 /// All laws of runs, ascending by number.
 const std::vector<RunLaw>& run_laws();
 
-/// A RapidCheck property: generates a scene, has it judged, fails with the law, its page and the finding.
-void check_law(const RunLaw& law, Simulator& simulator, int dimension = 0);
+/// What judges the traces that a law cannot: `tps check`, which whoever asks laws passes in, so that nothing
+/// here is compiled with the engine.
+struct Instead {
+  std::function<std::optional<std::string>(const std::string& trace)>
+      fault_in;              ///< of a whole trace, in words
+  std::uint64_t traces = 0;  ///< judged so far
+};
+
+/// A RapidCheck property: generates a scene, has it judged, fails with the law, its page and the finding. A
+/// minimal trace is judged by `instead`; without that it fails, too.
+void check_law(const RunLaw& law, Simulator& simulator, int dimension = 0, Instead* instead = nullptr);
 
 /// The scenes of most laws.
 inline std::function<rc::Gen<SmallScene>(int)> of(Wanted wanted) {

@@ -64,6 +64,8 @@ std::string turned(const RunTrace& run, double t, Real shift) {
   state.now = state.last_event = {"0x0p+0", "0x0p+0"};
   state.progress_event = 0;
   state.responded.clear();
+  std::erase_if(state.counts, [](const auto& count) { return !count.first.starts_with('#'); });
+  for (const char* counter : {"#noise", "#zero_impulse"}) state.counts[counter] = 0;
   return run.lines.front() + "\n" + write_state(state, "0x0p+0") + "\n";
 }
 

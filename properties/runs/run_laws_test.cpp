@@ -79,18 +79,39 @@ INSTANTIATE_TEST_SUITE_P(All, WideRunLaws,
 
 /// The way in which other implementations are asked.
 TEST(RunLawsOfACommand, Hold) {
-  const auto simulator = command_simulator(std::string(TPS_PROGRAM) + " run", "double", "stable");
+  const auto simulator = command_simulator({TPS_PROGRAM, "run"}, "double", "stable");
   for (const RunLaw& law : chosen([](const RunLaw& l) { return l.name == "Momentum" || l.name == "Resume"; }))
     rc::detail::checkGTest([&] { check_law(law, *simulator); });
 }
 
 TEST(RunLawsOfACommand, ACommandThatFailsIsNamed) {
-  const auto simulator = command_simulator("false", "double", "stable");
+  const auto simulator = command_simulator({"false"}, "double", "stable");
   try {
     simulator->run(Scene{});
     FAIL() << "the failure went unnoticed";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("ended with exit code 1"), std::string::npos) << error.what();
+  }
+}
+
+TEST(RunLawsOfACommand, ACommandThatHangsIsNamedInTime) {
+  const auto simulator = command_simulator({"sh", "-c", "sleep 1000 & sleep 1000", "sh"}, "double", "stable",
+                                           std::chrono::milliseconds(200));
+  try {
+    simulator->run(Scene{});
+    FAIL() << "the hang went unnoticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("did not end within 200 ms"), std::string::npos) << error.what();
+  }
+}
+
+TEST(RunLawsOfACommand, NoShellReadsTheWords) {
+  const auto simulator = command_simulator({"true; exit 3"}, "double", "stable");
+  try {
+    simulator->run(Scene{});
+    FAIL() << "a shell read it";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("exit code 127"), std::string::npos) << error.what();
   }
 }
 

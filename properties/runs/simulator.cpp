@@ -1,8 +1,8 @@
 #include "properties/runs/simulator.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 
+#include "properties/implementations/child_process.hpp"
 #include "properties/runs/scratch_file.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/write_scene.hpp"
@@ -52,39 +52,54 @@ class Reference final : public Simulator {
 
 class Command final : public Simulator {
  public:
-  Command(std::string command, std::string scalar, std::string timing)
-      : command_(std::move(command)), scalar_(std::move(scalar)), timing_(std::move(timing)) {}
-  std::string name() const override { return command_; }
+  Command(std::vector<std::string> words, std::string scalar, std::string timing,
+          std::chrono::milliseconds limit)
+      : words_(std::move(words)), scalar_(std::move(scalar)), timing_(std::move(timing)), limit_(limit) {}
+  std::string name() const override { return joined(words_); }
   std::string scalar() const override { return scalar_; }
   std::string timing() const override { return timing_; }
 
   std::string simulate(const Scene& scene, const Extent& extent) override {
     const ScratchFile file(write_scene(scene));
-    std::string line = command_ + " '" + file.path() + "' --scalar " + scalar_ + " --timing " + timing_;
-    if (extent.state_every != 0) line += " --state-every " + std::to_string(extent.state_every);
-    return traced(line, extent);
+    std::vector<std::string> words{file.path(), "--scalar", scalar_, "--timing", timing_};
+    if (extent.state_every != 0)
+      words.insert(words.end(), {"--state-every", std::to_string(extent.state_every)});
+    return traced(words, extent);
   }
 
   std::optional<std::string> go_on(const std::string& beginning, const Extent& extent) override {
     const ScratchFile file(beginning);
-    return traced(command_ + " --resume '" + file.path() + "'", extent);
+    return traced({"--resume", file.path()}, extent);
   }
 
  private:
+  static std::string joined(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+    return line;
+  }
+
   /// A stalled run has its trace, too (exit code 6).
-  static std::string traced(const std::string& line, const Extent& extent) {
+  std::string traced(const std::vector<std::string>& added, const Extent& extent) const {
     const ScratchFile trace;
-    const std::string whole = line + " -q -o '" + trace.path() + "' --max-events " +
-                              std::to_string(extent.max_events) + " > /dev/null";
-    const int status = std::system(whole.c_str());
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    if (code != 0 && code != 6)
-      throw std::runtime_error("the command '" + whole + "' ended with exit code " + std::to_string(code) +
-                               "; allowed: 0, and 6 for a run that stalled");
+    std::vector<std::string> words = words_;
+    words.insert(words.end(), added.begin(), added.end());
+    words.insert(words.end(), {"-q", "-o", trace.path(), "--max-events", std::to_string(extent.max_events)});
+    ChildProcess process(executing(words));
+    const ChildProcess::Line end = process.read_to_end(limit_);
+    if (end.status == ChildProcess::Line::Status::late) {
+      throw std::runtime_error("the command '" + joined(words) + "' hung: it did not end within " +
+                               std::to_string(limit_.count()) + " ms" + end.text);
+    }
+    if (end.code != 0 && end.code != 6)
+      throw std::runtime_error("the command '" + joined(words) + "' " + end.text +
+                               "; allowed: exit code 0, and 6 for a run that stalled");
     return trace.content();
   }
 
-  std::string command_, scalar_, timing_;
+  std::vector<std::string> words_;
+  std::string scalar_, timing_;
+  std::chrono::milliseconds limit_;
 };
 
 }  // namespace
@@ -93,9 +108,9 @@ std::unique_ptr<Simulator> reference_simulator(const std::string& scalar, const 
   return std::make_unique<Reference>(scalar, timing);
 }
 
-std::unique_ptr<Simulator> command_simulator(const std::string& command, const std::string& scalar,
-                                             const std::string& timing) {
-  return std::make_unique<Command>(command, scalar, timing);
+std::unique_ptr<Simulator> command_simulator(const std::vector<std::string>& words, const std::string& scalar,
+                                             const std::string& timing, std::chrono::milliseconds limit) {
+  return std::make_unique<Command>(words, scalar, timing, limit);
 }
 
 }  // namespace tps::properties::runs

@@ -1,6 +1,7 @@
 // What a law of runs asks of an implementation: simulate a scene, and tell what happened in a trace.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,15 @@ class Simulator {
   /// The whole trace of the run that goes on from the beginning of a trace; nothing where it cannot.
   virtual std::optional<std::string> go_on(const std::string& beginning, const Extent& extent) = 0;
 
-  RunTrace run(const Scene& scene, const Extent& extent = {}) { return read_trace(simulate(scene, extent)); }
+  /// The same. Throws MinimalTrace where it is one.
+  std::string full_trace(const Scene& scene, const Extent& extent) {
+    std::string bytes = simulate(scene, extent);
+    if (is_minimal(bytes)) throw MinimalTrace(std::move(bytes));
+    return bytes;
+  }
+  RunTrace run(const Scene& scene, const Extent& extent = {}) {
+    return read_trace(full_trace(scene, extent));
+  }
   Real roundoff() const { return judged_roundoff(scalar()); }
 };
 
@@ -40,11 +49,15 @@ class Simulator {
 /// REQUIRES known names.
 std::unique_ptr<Simulator> reference_simulator(const std::string& scalar, const std::string& timing);
 
+/// What a command has for one run of a generated scene, which the reference ends in well below a second.
+constexpr std::chrono::milliseconds kTimeOfARun{60'000};
+
 /// Any command that simulates as `tps run` does: COMMAND SCENE -o TRACE --scalar … --timing … --max-events …
 /// [--state-every …], and COMMAND --resume TRACE -o OTHER --max-events …. Its traces are read as they come,
-/// so a command that fails or writes something else throws std::runtime_error with the command and its exit
-/// code.
-std::unique_ptr<Simulator> command_simulator(const std::string& command, const std::string& scalar,
-                                             const std::string& timing);
+/// so a command that fails, writes something else or does not end in time throws std::runtime_error with the
+/// command and its end. REQUIRES words, the first not empty; no shell reads them.
+std::unique_ptr<Simulator> command_simulator(const std::vector<std::string>& words, const std::string& scalar,
+                                             const std::string& timing,
+                                             std::chrono::milliseconds limit = kTimeOfARun);
 
 }  // namespace tps::properties::runs

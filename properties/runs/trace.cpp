@@ -79,18 +79,31 @@ std::string RunTrace::bytes() const {
   return all;
 }
 
+bool is_minimal(std::string_view bytes) {
+  const std::string_view header = bytes.substr(0, bytes.find('\n'));
+  const JsonDocument document = parse_json(header, "trace");
+  const JsonValue* form = document.root.find("form");
+  return form != nullptr && form->string() != nullptr && *form->string() == "minimal";
+}
+
 RunTrace read_trace(std::string_view bytes) {
   RunTrace trace;
   std::istringstream in{std::string(bytes)};
   for (std::string line; std::getline(in, line);) {
     trace.lines.push_back(line);
     const std::size_t number = trace.lines.size();
-    if (line.starts_with("{\"k\":")) {
-      trace.events.push_back(event_of(parse_json(line, "trace", {}, number).root, number));
-    } else if (line.starts_with("{\"end\":")) {
-      const JsonDocument end = parse_json(line, "trace", {}, number);
-      trace.end = text(member(end.root, "end", number), number);
-      trace.end_time = read_instant(text(member(end.root, "t", number), number));
+    const JsonDocument document = parse_json(line, "trace", {}, number);
+    document.problems.throw_if_any();
+    const JsonValue& json = document.root;
+    if (number == 1) {
+      static_cast<void>(member(json, "trace", number));
+    } else if (json.find("kind") != nullptr) {
+      trace.events.push_back(event_of(json, number));
+    } else if (json.find("end") != nullptr) {
+      trace.end = text(member(json, "end", number), number);
+      trace.end_time = read_instant(text(member(json, "t", number), number));
+    } else if (json.find("state") == nullptr) {
+      lacks(number, "\"kind\", \"state\" or \"end\"");
     }
   }
   return trace;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +46,21 @@ struct RunTrace {
   std::string bytes() const;
 };
 
-/// Reads a whole trace. Throws InputError, or std::runtime_error that names the line and what it lacks.
+/// Whether a trace is in the minimal form, which has no states before events: most laws cannot judge it.
+bool is_minimal(std::string_view bytes);
+
+/// A trace that a law cannot judge.
+class MinimalTrace : public std::runtime_error {
+ public:
+  explicit MinimalTrace(std::string trace)
+      : std::runtime_error(
+            "the trace is minimal: it lacks what laws of runs judge by; `tps check` judges it"),
+        bytes(std::move(trace)) {}
+  std::string bytes;
+};
+
+/// Reads a whole trace in the full form; a line that is neither header, event, state nor end is an error.
+/// Throws InputError, or std::runtime_error that names the line and what it lacks.
 RunTrace read_trace(std::string_view bytes);
 
 }  // namespace tps::properties::runs

@@ -41,25 +41,40 @@ class AllPairs {
 
  private:
   /// Queues the earliest event of a pair. Its time is a function of the two stored states alone: the later of
-  /// the two clocks, to which the other particle is advanced, plus the answer of eq. (2).
+  /// the two clocks, to which the other particle is advanced, plus the answer of eq. (2). A time beyond the
+  /// range of the scalar is queued as never: there is an event, which no clock reaches. Throws OutOfRange.
   void predict(World<Scalar, D>& world, int i, int j) const {
     const Law<Scalar>& law = world.law(i, j);
     if (!law.blocking && !law.tethering) return;
     if (world.coupling->together(i, j)) return;
     const PairView<Scalar, D> pair = world.view(i, j);
+    require_range(world, pair);
     std::optional<Scalar> earliest;
     int effect = 0;
     for (const Predictor& predictor : predictors_) {
       const std::optional<LimitQuestion<Scalar>> question = predictor.effect->asks(world, i, j);
       if (!question) continue;
       const std::optional<Scalar> dt = world.timing.next(pair, *question);
+      if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
       if (!dt || (earliest && !(*dt < *earliest))) continue;
       earliest = dt;
       effect = predictor.index;
     }
     if (!earliest) return;
     const Time<Scalar> time = after(pair.start, *earliest);
-    if (time < Time<Scalar>::never()) world.queue.push(world.pending(time, Rank::collision, i, j, 0, effect));
+    world.queue.push(world.pending(time, Rank::collision, i, j, 0, effect));
+  }
+
+  static void require_range(const World<Scalar, D>& world, const PairView<Scalar, D>& pair) {
+    const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
+    if (finite(pair.u_j - pair.u_i) && finite(pair.v_j - pair.v_i)) return;
+    for (const int i : {pair.i, pair.j}) {
+      if (!finite(world.position(i, pair.start))) {
+        throw OutOfRange("the position of " + particle_name(world.scene, i));
+      }
+    }
+    const char* what = finite(pair.u_j - pair.u_i) ? "the relative velocity of " : "the distance of ";
+    throw OutOfRange(what + pair_name(world.scene, pair.i, pair.j));
   }
 
   struct Predictor {

@@ -1,7 +1,11 @@
 // Time since the start of a run, to twice the precision of the scalar.
 #pragma once
 
+#include <cmath>
 #include <limits>
+#include <type_traits>
+
+#include "reference/equations/dyadic.hpp"
 
 namespace tps {
 
@@ -48,17 +52,34 @@ Time<Scalar> after(const Time<Scalar>& t, const Scalar& dt) {
   return normalised<Scalar>(sum, rest);
 }
 
+/// x + y = sum + rest exactly, where the scalar's operations round to nearest (Knuth's TwoSum).
+template <typename Scalar>
+Time<Scalar> two_sum(const Scalar& x, const Scalar& y) {
+  const Scalar sum = x + y;
+  const Scalar part = sum - x;
+  return {sum, (x - (sum - part)) + (y - part)};
+}
+
 /// later − earlier, rounded to the scalar. REQUIRES both finite.
 ///
-/// The difference of the his is exact (TwoSum), so that the one rounding that counts is the last one: the
-/// result is the nearest to the exact difference, or the next after it where that difference is within a
-/// relative 4u² of the middle between the two.
+/// For float, double and long double this is the number nearest to the exact difference, to even where there
+/// are two: a definition that does not depend on how it is computed. The differences of the his and of the
+/// los are each exact as two numbers; their largest part and the rounded rest are added once. The rest errs
+/// by less than `doubt`; where both ends of that doubt round to one number, that is the nearest (Ziv), and
+/// else integers decide. For scalars of software, whose subtraction errs by up to 0.75 ulp, it is within an
+/// ulp of the exact difference.
 template <typename Scalar>
 Scalar elapsed(const Time<Scalar>& earlier, const Time<Scalar>& later) {
-  const Scalar difference = later.hi - earlier.hi;
-  const Scalar part = later.hi - difference;
-  const Scalar rest = (later.hi - (difference + part)) + (part - earlier.hi);
-  return difference + (rest + (later.lo - earlier.lo));
+  using std::abs;
+  const Time<Scalar> large = two_sum<Scalar>(later.hi, -earlier.hi);
+  const Time<Scalar> small = two_sum<Scalar>(later.lo, -earlier.lo);
+  const Scalar rest = (large.lo + small.hi) + small.lo;
+  if constexpr (!std::is_floating_point_v<Scalar>) return large.hi + rest;
+  const Scalar doubt = Scalar(2) * std::numeric_limits<Scalar>::epsilon() * (abs(large.lo) + abs(small.hi));
+  const Scalar least = large.hi + (rest - doubt);
+  const Scalar most = large.hi + (rest + doubt);
+  if (least == most) return least;
+  return nearest<Scalar>((dyadic(later.hi) - dyadic(earlier.hi)) + (dyadic(later.lo) - dyadic(earlier.lo)));
 }
 
 }  // namespace tps

@@ -4,9 +4,11 @@
 
 #include <vector>
 
+#include "reference/engine/range.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/engine/tethers.hpp"
 #include "reference/equations/collision_frame.hpp"
+#include "reference/equations/directed_rounding.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
 
 namespace tps {
@@ -40,6 +42,27 @@ class Coupling {
                     Record<Scalar, D>& record) = 0;
 };
 
+/// Throws OutOfRange where two particles are at one place, which has no axis.
+template <typename Scalar, int D>
+void require_apart(const World<Scalar, D>& world, int i, int j) {
+  if (world.position(i, world.now) != world.position(j, world.now)) return;
+  throw OutOfRange("the distance of " + pair_name(world.scene, i, j) + ", which rounding puts at one point,");
+}
+
+/// The velocities of two bodies after their response, rounded so that their particles i and j leave each
+/// other the right way (D22). What that changes enters the ledger's bounds.
+template <typename Scalar, int D>
+PairVelocities<Scalar, D> directed_response(World<Scalar, D>& world, int i, int j, Limit limit,
+                                            const Scalar& mass_i, const Scalar& mass_j,
+                                            const PairVelocities<Scalar, D>& v) {
+  const Leaving leaving = limit == Limit::inner ? Leaving::apart : Leaving::together;
+  const PairVelocities<Scalar, D> result = directed<Scalar, D>(
+      world.position(i, world.now), world.position(j, world.now), mass_i, mass_j, v, leaving);
+  if (result.v_A != v.v_A) world.ledger.add_change(mass_i, v.v_A, result.v_A, world.frame_velocity());
+  if (result.v_B != v.v_B) world.ledger.add_change(mass_j, v.v_B, result.v_B, world.frame_velocity());
+  return result;
+}
+
 /// Every particle is its own body; eq. (3) acts at once.
 template <typename Scalar, int D>
 class FreeCoupling final : public Coupling<Scalar, D> {
@@ -51,8 +74,10 @@ class FreeCoupling final : public Coupling<Scalar, D> {
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>&) override {
     const PairVelocities<Scalar, D> v =
         apply_impulse<Scalar, D>(c.mass_i, c.mass_j, world.velocity(c.i), world.velocity(c.j), c.dp);
-    world.set_velocity(c.i, v.v_A);
-    world.set_velocity(c.j, v.v_B);
+    const PairVelocities<Scalar, D> directed =
+        directed_response<Scalar, D>(world, c.i, c.j, c.limit, c.mass_i, c.mass_j, v);
+    world.set_velocity(c.i, directed.v_A);
+    world.set_velocity(c.j, directed.v_B);
     if (world.fixed(c.j)) world.ledger.add_from_walls(c.dp);
     if (world.fixed(c.i)) world.ledger.add_from_walls(Vector<Scalar, D>(-c.dp));
   }

@@ -55,6 +55,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
       joined.members = std::move(merged);
     }
     joined.expiry = after(world.now, dt_restitute_);
+    require_range(world, c, joined);
     const auto side_of = [&](int i) { return world.fixed(i) ? Node::kInfiniteMass : forest_.side_of(i); };
     forest_.join({c.i, c.j, c.limit, {side_of(c.i), side_of(c.j)}, {c.mass_i, c.mass_j}, dp_stored}, joined);
 
@@ -96,14 +97,26 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   }
 
  private:
+  /// A sum of finite masses is finite, and so is a time that a finite one ends.
+  void require_range(const World<Scalar, D>& world, const Collision<Scalar, D>& c, const Body& joined) const {
+    const bool finite_masses = is_finite(c.mass_i) && is_finite(c.mass_j);
+    const std::string of = " of the group of " + pair_name(world.scene, c.i, c.j);
+    if (finite_masses && !is_finite(joined.mass)) throw OutOfRange("the mass" + of);
+    if (is_finite(dt_restitute_) && joined.expiry == Time<Scalar>::never())
+      throw OutOfRange("the restitution" + of);
+  }
+
   void part(World<Scalar, D>& world, int n) {
     const std::vector<int> members_i = forest_.members_of(forest_.node(n).side[0]);
     const std::vector<int> members_j = forest_.members_of(forest_.node(n).side[1]);
     const Node node = forest_.take_node(n);
     Record<Scalar, D> record = world.open_record("restitute", node.i, node.j);
+    require_apart(world, node.i, node.j);
     record.dp = node.dp;
-    const PairVelocities<Scalar, D> v = apply_impulse<Scalar, D>(
-        node.mass[0], node.mass[1], world.velocity(node.i), world.velocity(node.j), node.dp);
+    const PairVelocities<Scalar, D> v = directed_response<Scalar, D>(
+        world, node.i, node.j, node.limit, node.mass[0], node.mass[1],
+        apply_impulse<Scalar, D>(node.mass[0], node.mass[1], world.velocity(node.i), world.velocity(node.j),
+                                 node.dp));
     for (const int m : members_i) world.set_velocity(m, v.v_A);
     for (const int m : members_j) world.set_velocity(m, v.v_B);
     const Scalar mu = reduced_mass<Scalar>(node.mass[0], node.mass[1]);

@@ -62,10 +62,22 @@ struct Ledger {
   /// Adds what rounding may have done at one event to a particle of mass m, whose speeds before and after add
   /// up to s: 64 u m s to a momentum and 64 u m s² to an energy, u = ε/2. docs/ledger.md counts the
   /// roundings.
+  /// Where products underflow, each rounding loses up to the smallest number, of m v or of m times v².
   void add_rounding(const Scalar& mass, const Scalar& speeds) {
-    const Scalar share = Scalar(kRoundings / 2) * std::numeric_limits<Scalar>::epsilon() * mass * speeds;
-    momentum_bound += share;
-    energy_bound += share * speeds;
+    using Limits = std::numeric_limits<Scalar>;
+    const Scalar units = Scalar(kRoundings / 2) * Limits::epsilon();
+    const Scalar underflow = Scalar(kRoundings) * Limits::denorm_min() * (Scalar(1) + mass);
+    momentum_bound += units * (mass * speeds) + underflow;
+    energy_bound += units * (mass * speeds * speeds) + underflow;
+  }
+
+  /// Adds what directed rounding did to a velocity: m |v' − v| to a momentum, and m |v' − v| (|v'| + |v|) to
+  /// an energy, speeds relative to V.
+  void add_change(const Scalar& mass, const Vector<Scalar, D>& before, const Vector<Scalar, D>& after,
+                  const Vector<Scalar, D>& V) {
+    const Scalar change = mass * norm<Scalar, D>(after - before);
+    momentum_bound += change;
+    energy_bound += change * (norm<Scalar, D>(before - V) + norm<Scalar, D>(after - V));
   }
 
   static constexpr int kRoundings = 64;

@@ -51,7 +51,8 @@ class PairTiming {
 
   bool certified() const { return choice_.timing == Timing::certified; }
 
-  /// The time from the view's start to the pair's next event at the limit, if there is one.
+  /// The time from the view's start to the pair's next event at the limit, if there is one: NaN where the
+  /// formula left the range of the scalar, so that it cannot tell.
   ///
   /// A pair that has just been pulled can only come back by way of the inside. Where rounding left it so far
   /// outside that its path misses the inside (`turning`), it is taken to be where real arithmetic has it, at
@@ -91,9 +92,14 @@ class PairTiming {
       if (certified()) return certified_answer(pair, question);
     }
     if (choice_.timing == Timing::paper) {
-      return (block ? paper_block_time<Scalar, D> : paper_tether_time<Scalar, D>)(pair.u_i, pair.u_j,
-                                                                                  pair.v_i, pair.v_j,
-                                                                                  question.distance);
+      if (!paper_roots_in_range<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, question.distance)) {
+        return {TimingVerdict::hit, std::numeric_limits<Scalar>::quiet_NaN()};
+      }
+      CollisionTime<Scalar> answer =
+          (block ? paper_block_time<Scalar, D> : paper_tether_time<Scalar, D>)(pair.u_i, pair.u_j, pair.v_i,
+                                                                               pair.v_j, question.distance);
+      if (occurs(answer.verdict) && !answer.t) answer.t = std::numeric_limits<Scalar>::infinity();
+      return answer;
     }
     return (block ? block_time<Scalar, D> : tether_time<Scalar, D>)(pair.u_i, pair.u_j, pair.v_i, pair.v_j,
                                                                     question.distance);

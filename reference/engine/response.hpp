@@ -22,12 +22,15 @@ Scalar coordinate_ulp(const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j
   for (int k = 0; k < D; ++k) largest = std::max({largest, Scalar(abs(u_i[k])), Scalar(abs(u_j[k]))});
   int exponent = 0;
   static_cast<void>(frexp(largest, &exponent));
-  return ldexp(Scalar(1), exponent - std::numeric_limits<Scalar>::digits);
+  const Scalar ulp = ldexp(Scalar(1), exponent - std::numeric_limits<Scalar>::digits);
+  return std::max(ulp, std::numeric_limits<Scalar>::denorm_min());
 }
 
-/// The collision of two particles that were brought to now, Δp still zero.
+/// The collision of two particles that were brought to now, Δp still zero. Throws OutOfRange where they are
+/// at one place, which has no axis.
 template <typename Scalar, int D>
 Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, Limit limit) {
+  require_apart(world, i, j);
   return {i,
           j,
           limit,
@@ -38,6 +41,21 @@ Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, 
           Vector<Scalar, D>::Zero()};
 }
 
+/// Whether rounding alone can have made v_n: each stored velocity was rounded to u of itself by its last
+/// response, and v_AB once more; the axis turns by 2 √D u X/|r|, X the largest coordinate, where each
+/// coordinate is off by an ulp, and by 2u in its own computation.
+template <typename Scalar, int D>
+bool below_rounding(const World<Scalar, D>& world, const Collision<Scalar, D>& c) {
+  using std::abs;
+  const Scalar u = std::numeric_limits<Scalar>::epsilon() / Scalar(2);
+  const Vector<Scalar, D> u_i = world.position(c.i, world.now);
+  const Vector<Scalar, D> u_j = world.position(c.j, world.now);
+  const Scalar reach = u_i.cwiseAbs().maxCoeff() + u_j.cwiseAbs().maxCoeff();
+  const Scalar turn = Scalar(2) * u + Scalar(2 * D) * u * reach / norm<Scalar, D>(u_j - u_i);
+  const Scalar speeds = norm<Scalar, D>(world.velocity(c.i)) + norm<Scalar, D>(world.velocity(c.j));
+  return abs(c.frame.v_n) <= Scalar(2) * u * speeds + turn * norm<Scalar, D>(c.frame.v_AB);
+}
+
 /// Counts how far a collision is from what real arithmetic would have made of it.
 template <typename Scalar, int D>
 void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, const Scalar& distance_limit) {
@@ -45,16 +63,13 @@ void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, c
   using std::sqrt;
   const Vector<Scalar, D> u_i = world.position(c.i, world.now);
   const Vector<Scalar, D> u_j = world.position(c.j, world.now);
-  const Scalar distance = sqrt(Scalar((u_j - u_i).squaredNorm()));
+  const Scalar distance = norm<Scalar, D>(u_j - u_i);
   const Scalar inside = (distance_limit - distance) / coordinate_ulp<Scalar, D>(u_i, u_j);
   Statistics<Scalar>& s = world.statistics;
   if (c.limit == Limit::inner) s.worst_inner_excess = std::max(s.worst_inner_excess, inside);
   if (c.limit == Limit::outer) s.worst_outer_excess = std::max(s.worst_outer_excess, Scalar(-inside));
-  const Scalar faster = std::max(Scalar(sqrt(world.velocity(c.i).squaredNorm())),
-                                 Scalar(sqrt(world.velocity(c.j).squaredNorm())));
-  if (abs(c.frame.v_n) <= Scalar(4) * std::numeric_limits<Scalar>::epsilon() * faster &&
-      c.limit == Limit::inner) {
-    ++s.noise;
+  if (c.limit == Limit::inner && below_rounding(world, c)) {
+    if (s.noise++ == 0) s.first_noise = world.events + 1;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/engine/all_pairs.hpp"
@@ -18,7 +19,7 @@
 namespace tps {
 
 /// Why a run ended.
-enum class EndReason { duration, max_events, no_more_events, stalled, interrupted };
+enum class EndReason { duration, max_events, no_more_events, stalled, interrupted, out_of_range };
 
 constexpr std::string_view name(EndReason reason) {
   switch (reason) {
@@ -32,6 +33,8 @@ constexpr std::string_view name(EndReason reason) {
       return "stalled";
     case EndReason::interrupted:
       return "interrupted";
+    case EndReason::out_of_range:
+      return "out_of_range";
   }
   return "unknown";
 }
@@ -41,7 +44,7 @@ constexpr std::string_view name(EndReason reason) {
 template <typename Scalar, int D>
 class Simulation {
  public:
-  /// The scene is not copied and must outlive the simulation.
+  /// The scene is not copied and must outlive the simulation. Throws OutOfRange.
   explicit Simulation(Scene&&, const TimingChoice& = {}) = delete;
   explicit Simulation(const Scene& scene, const TimingChoice& timing = {})
       : world_(scene, timing), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
@@ -49,6 +52,7 @@ class Simulation {
     for (std::size_t n = 0; n < effects_.size(); ++n) effects_[n]->begin(world_, static_cast<int>(n));
     world_.ledger.kinetic_at_start = kinetic_energy(world_);
     world_.ledger.momentum_at_start = momentum(world_);
+    require_range<Scalar, D>(world_.ledger);
     predict_everything();
   }
 
@@ -62,7 +66,15 @@ class Simulation {
     return next ? next->time : Time<Scalar>::never();
   }
 
-  /// Processes the next event. REQUIRES that there is one.
+  /// Two particles that have an event which no time of the scalar reaches, where nothing is due before it.
+  std::optional<std::pair<int, int>> beyond_every_time() {
+    const std::optional<PendingEvent<Scalar>>& next = next_event();
+    if (!next || next->rank != Rank::collision || next->time < Time<Scalar>::never()) return std::nullopt;
+    return std::pair(next->first, next->second);
+  }
+
+  /// Processes the next event. REQUIRES that there is one. Throws OutOfRange: then the state is not one of a
+  /// run any more.
   ///
   /// (1) advance the clock, (2) respond, (3) predict again the pairs of whatever was touched.
   void step() {

@@ -11,9 +11,10 @@ namespace tps {
 template <typename Scalar>
 struct Statistics {
   std::map<std::string, std::uint64_t, std::less<>> by_kind;
-  /// Collisions whose approach is below what rounding leaves of a difference of velocities:
-  /// |v_n| ≤ 4ε max(|v_A|, |v_B|). In real arithmetic they would not be there, or be another moment.
+  /// Rebounds whose approach is no more than what rounding can have made of velocities and axis
+  /// (`below_rounding`): in real arithmetic they may be other ones, more, fewer, or none.
   std::uint64_t noise = 0;
+  std::uint64_t first_noise = 0;    ///< number of the first such event; 0: none
   std::uint64_t zero_impulse = 0;   ///< collisions that stood with Δp = 0
   Scalar worst_inner_excess{0};     ///< most that a pair was nearer than its inner limit, in ulps
   Scalar worst_outer_excess{0};     ///< most that a pair was farther than its outer limit, in ulps

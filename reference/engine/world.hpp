@@ -19,6 +19,7 @@
 #include "reference/engine/ledger.hpp"
 #include "reference/engine/pair_timing.hpp"
 #include "reference/engine/queue.hpp"
+#include "reference/engine/range.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/engine/statistics.hpp"
 #include "reference/engine/tethers.hpp"
@@ -103,7 +104,7 @@ class World {
   Record<Scalar, D> open_record(std::string_view kind, int i, int j);
   /// Adds a particle to a record, as it is before the event, and brings it to now.
   void involve(Record<Scalar, D>& record, int i);
-  /// Completes a record with what came of it, and hands it to the sink.
+  /// Completes a record with what came of it, and hands it to the sink. Throws OutOfRange.
   void close_record(Record<Scalar, D>& record);
 
   /// The next random number in [0, 1) for a purpose and a pair.
@@ -169,10 +170,9 @@ void World<Scalar, D>::bring(int i) {
 template <typename Scalar, int D>
 void World<Scalar, D>::set_velocity(int i, const Vec& velocity) {
   if (fixed(i)) return;
-  using std::sqrt;
   Vec& stored = particles[index(i)].velocity;
   // Also where nothing changed: a heavy particle may have rounded a whole impulse away.
-  ledger.add_rounding(mass(i), Scalar(sqrt(stored.squaredNorm()) + sqrt(velocity.squaredNorm())));
+  ledger.add_rounding(mass(i), Scalar(norm<Scalar, D>(stored) + norm<Scalar, D>(velocity)));
   if (stored != velocity) responded.forget(i);
   stored = velocity;
 }
@@ -216,6 +216,8 @@ void World<Scalar, D>::close_record(Record<Scalar, D>& record) {
   record.k = ++events;
   record.t = now;
   record.dt = elapsed(last_event, now);
+  require_range<Scalar, D>(scene, record);
+  require_range<Scalar, D>(ledger);
   last_event = now;
   ++statistics.by_kind[std::string(record.kind)];
   if (sink) sink(record);

@@ -1,4 +1,4 @@
-// The angle θ_revolve, given in degrees as scene files do.
+// The angle θ_revolve, given in degrees as scene files do (docs/eq5.md).
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The quantities that the paper defines ahead of eqs. (4), (5) and (7): the axis of a collision and the
-// relative velocity along and across it; and the mass that every impulse formula contains.
+// relative velocity along and across it; and the mass that every impulse formula contains (docs/eq4.md).
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,4 @@
-// Eq. (1): how far apart two particles are after a time of free flight.
+// Eq. (1): how far apart two particles are after a time of free flight (docs/eq1.md).
 #pragma once
 
 #include <type_traits>

@@ -1,5 +1,5 @@
 // What both timing queries of eq. (2) are decided by: the quadratic in half-b form, with each coefficient
-// computed so that rounding costs as little as the working precision allows.
+// computed so that rounding costs as little as the working precision allows (docs/eq2.md).
 #pragma once
 
 #include <cmath>
@@ -34,6 +34,33 @@ Scalar cross_squared(const Vector<Scalar, 3>& r, const Vector<Scalar, 3>& v) {
   return x * x + y * y + z * z;
 }
 
+/// |r × v|, also where its square would underflow.
+template <typename Scalar>
+Scalar cross_norm(const Vector<Scalar, 2>& r, const Vector<Scalar, 2>& v) {
+  using std::abs;
+  return abs(Scalar(r[0] * v[1] - r[1] * v[0]));
+}
+
+template <typename Scalar>
+Scalar cross_norm(const Vector<Scalar, 3>& r, const Vector<Scalar, 3>& v) {
+  return norm<Scalar, 3>(Vector<Scalar, 3>(r.cross(v)));
+}
+
+/// D = a L² − |r × v|² where L is so far below |r| that L² vanishes beside |r|²: by its two factors, and
+/// where even their product underflows as the smallest number of its sign. Its size does not matter there (√D
+/// vanishes beside |h|), its sign is the verdict.
+template <typename Scalar, int D>
+Scalar discriminant_from_afar(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v, const Scalar& a,
+                              const Scalar& L) {
+  using std::sqrt;
+  const Scalar reach = sqrt(a) * L;
+  const Scalar moment = cross_norm<Scalar>(r, v);
+  const Scalar product = (reach - moment) * (reach + moment);
+  if (product != Scalar(0) || reach == moment) return product;
+  const Scalar smallest = (std::numeric_limits<Scalar>::min)();
+  return reach > moment ? smallest : Scalar(-smallest);
+}
+
 /// Coefficients of eq. (2) from the relative position r, the relative velocity v and the limit L.
 ///
 /// Departs from the paper's b² − 4ac by identities that hold exactly in real arithmetic:
@@ -59,6 +86,9 @@ Approach<Scalar> approach(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v
   const Scalar c = near_limit ? Scalar((distance - L) * (distance + L)) : Scalar(r_squared - L_squared);
   const Scalar h_squared = h * h;
   const Scalar a_L_squared = a * L_squared;
+  static const Scalar vanishing =
+      (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
+  if (a_L_squared < vanishing) return {a, h, c, discriminant_from_afar<Scalar, D>(r, v, a, L)};
   const Scalar discriminant =
       h_squared < a_L_squared ? Scalar(h_squared - a * c) : Scalar(a_L_squared - cross_squared(r, v));
   return {a, h, c, discriminant};
@@ -76,8 +106,8 @@ struct ScaledQuery {
 /// matters: |v| = 1e155 or 1e−170 would otherwise make a = |v|² infinite or zero. Within the comfortable
 /// range (a quarter of the exponents, so that a L² and |r × v|² have room) nothing is changed.
 ///
-/// Where L is below |r| by more than half the exponent range (2^-500 in double) L² vanishes beside |r|²,
-/// and a head-on pair reads `tangent`; no scaling mends that.
+/// Where L is below |r| by more than half the exponent range (2^-500 in double), L² vanishes beside |r|² all
+/// the same (discriminant_from_afar); below it by more than the whole range, L becomes the smallest number.
 ///
 /// REQUIRES v ≠ 0, L > 0, all finite.
 template <typename Scalar, int D>
@@ -99,6 +129,7 @@ ScaledQuery<Scalar, D> scaled_query(const Vector<Scalar, D>& r, const Vector<Sca
   static_cast<void>(frexp(length, &length_exponent));
   static_cast<void>(frexp(speed, &speed_exponent));
   ScaledQuery<Scalar, D> scaled{r, v, ldexp(L, -length_exponent), length_exponent - speed_exponent};
+  if (scaled.L == Scalar(0)) scaled.L = (std::numeric_limits<Scalar>::min)();
   for (int k = 0; k < D; ++k) {
     scaled.r[k] = ldexp(r[k], -length_exponent);
     scaled.v[k] = ldexp(v[k], -speed_exponent);

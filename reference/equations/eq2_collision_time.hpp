@@ -1,5 +1,5 @@
 // Eq. (2) with the paper's prose made a rule: a blocking collision is reached while approaching, a tethering
-// collision while separating. Two queries, each with a verdict that says which case of the quadratic it was.
+// collision while separating. Two queries, each with a verdict that names the case (docs/eq2.md).
 #pragma once
 
 #include <cmath>

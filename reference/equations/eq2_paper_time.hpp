@@ -1,6 +1,6 @@
 // Eq. (2), literally: the roots and the selection rule as the paper prints them, and the same roots selected
 // by approach (`--timing paper`). Kept for comparison; what this project computes with is in
-// eq2_collision_time.hpp, which also says what it mends.
+// eq2_collision_time.hpp, which also says what it mends (docs/eq2.md).
 #pragma once
 
 #include <cmath>
@@ -65,6 +65,27 @@ std::optional<Scalar> paper_time(const Vector<Scalar, D>& u_A, const Vector<Scal
   return std::nullopt;
 }
 
+/// Whether eq. (2) as printed stays within the range of the scalar, so that its answer means something: no
+/// square is infinite, |v|² and |r|² + L² have not lost their digits to underflow, and b² and 4ac, of which
+/// one decides beside the other, have not both. Where b ≥ 0 outside the limit no root is asked for.
+template <typename Scalar, int D>
+bool paper_roots_in_range(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                          const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
+                          const std::type_identity_t<Scalar>& L) {
+  using std::abs;
+  const PaperRoots<Scalar> q = paper_roots<Scalar, D>(u_A, u_B, v_A, v_B, L);
+  if (v_A == v_B) return true;
+  const Scalar least = (std::numeric_limits<Scalar>::min)();
+  const Scalar lengths = Vector<Scalar, D>(u_B - u_A).squaredNorm() + L * L;
+  if (!is_finite(q.a) || !is_finite(q.b) || !is_finite(lengths)) return false;
+  if (q.a < least || lengths < least) return false;
+  if (q.b >= Scalar(0) && q.c >= Scalar(0)) return true;
+  const Scalar b_squared = q.b * q.b;
+  const Scalar product = Scalar(4) * q.a * q.c;
+  if (!is_finite(b_squared) || !is_finite(product) || !is_finite(Scalar(2) * q.a)) return false;
+  return b_squared >= least || abs(product) >= least || q.c == Scalar(0);
+}
+
 namespace detail {
 
 template <typename Scalar>
@@ -79,7 +100,7 @@ std::optional<Scalar> at_least_zero(const std::optional<Scalar>& t) {
 ///
 /// @return verdict and t as block_time() has them; t is also absent where the quotient is not finite.
 /// Accuracy: none is promised. Near a graze b² − 4ac has any sign, and the quotient cancels near the limit;
-/// no scaling: squares may over- or underflow.
+/// no scaling: squares may over- or underflow, which paper_roots_in_range() tells.
 template <typename Scalar, int D>
 CollisionTime<Scalar> paper_block_time(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                        const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,

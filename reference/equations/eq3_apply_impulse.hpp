@@ -1,4 +1,4 @@
-// Eq. (3): what an impulse does to the velocities of a pair.
+// Eq. (3): what an impulse does to the velocities of a pair (docs/eq3.md).
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,4 @@
-// Eq. (4): the impulse of a rebound and of a retraction.
+// Eq. (4): the impulse of a rebound and of a retraction (docs/eq4.md).
 #pragma once
 
 #include <type_traits>

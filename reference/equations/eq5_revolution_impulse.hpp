@@ -1,4 +1,4 @@
-// Eq. (5): the impulse of a revolution, and the condition that decides between it and a retraction.
+// Eq. (5): the impulse of a revolution, and when a retraction suffices instead (docs/eq5.md).
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Eq. (6): the common velocity of two bodies that are grouped.
+// Eq. (6): the common velocity of two bodies that are grouped (docs/eq6.md).
 #pragma once
 
 #include <type_traits>

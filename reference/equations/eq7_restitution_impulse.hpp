@@ -1,4 +1,4 @@
-// Eq. (7): the impulse that is kept while two bodies are grouped and applied when they part.
+// Eq. (7): the impulse that is kept while two bodies are grouped, until they part (docs/eq7.md).
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,4 @@
-// The response of a pair at its tethering distance: eq. (4) where a retraction suffices, else eq. (5).
+// The response of a pair at its tethering distance: eq. (4) if a retraction suffices, else (5) (docs/eq5.md).
 #pragma once
 
 #include <type_traits>

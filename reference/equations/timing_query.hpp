@@ -1,5 +1,5 @@
 // A timing query in doubles: two stored states, a limit, and which kind of limit it is; and the moment of a
-// run that its answer stands for.
+// run that its answer stands for (docs/eq2.md).
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The answers to a timing query (semantics §1): which case of the quadratic of eq. (2) it is, and when.
-// Shared by every way of computing them, so that they speak one language.
+// Shared by every way of computing them, so that they speak one language (docs/eq2.md).
 #pragma once
 
 #include <optional>

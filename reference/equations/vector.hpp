@@ -1,4 +1,4 @@
-// Vectors of the paper: columns of D numbers of any scalar type, D = 2 or 3; their length and direction.
+// Vectors of the paper: columns of D numbers of any scalar type, D = 2 or 3; length, direction (docs/eq1.md).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,6 +10,21 @@ namespace tps {
 /// A position, velocity or impulse in D dimensions.
 template <typename Scalar, int D>
 using Vector = Eigen::Matrix<Scalar, D, 1>;
+
+/// Whether x is a number of the scalar's range: neither infinite nor NaN.
+template <typename Scalar>
+bool is_finite(const Scalar& x) {
+  using std::abs;
+  return abs(x) <= (std::numeric_limits<Scalar>::max)();
+}
+
+template <typename Scalar, int D>
+bool is_finite(const Vector<Scalar, D>& x) {
+  for (int k = 0; k < D; ++k) {
+    if (!is_finite<Scalar>(x[k])) return false;
+  }
+  return true;
+}
 
 /// The power of two that brings x into the range where squares neither overflow nor underflow: 0, that is
 /// "as it is", for most vectors, else minus the exponent of the largest component.

@@ -20,7 +20,6 @@ struct BoundExcess {
 /// Looks at all pairs, N(N − 1)/2 distances, at a time up to which every particle flies straight.
 template <typename Scalar, int D>
 BoundExcess<Scalar> audit_bounds(const World<Scalar, D>& world, const Time<Scalar>& t) {
-  using std::sqrt;
   std::vector<Vector<Scalar, D>> at;
   for (int i = 0; i < world.size(); ++i) at.push_back(world.position(i, t));
   BoundExcess<Scalar> worst;
@@ -30,7 +29,7 @@ BoundExcess<Scalar> audit_bounds(const World<Scalar, D>& world, const Time<Scala
       if (!law.blocking && !law.tethering) continue;
       const Vector<Scalar, D>& u_i = at[world.index(i)];
       const Vector<Scalar, D>& u_j = at[world.index(j)];
-      const Scalar distance = sqrt(Scalar((u_j - u_i).squaredNorm()));
+      const Scalar distance = norm<Scalar, D>(u_j - u_i);
       const Scalar ulp = coordinate_ulp<Scalar, D>(u_i, u_j);
       if (law.blocking)
         worst.inner = std::max(worst.inner, Scalar((law.blocking->distance - distance) / ulp));

@@ -48,6 +48,10 @@ void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, cons
   sample.centre_speed = static_cast<double>(Scalar(sqrt(velocity.squaredNorm())));
   for (int k = 0; k < D; ++k)
     sample.centre_velocity[static_cast<std::size_t>(k)] = static_cast<double>(velocity[k]);
+  if (!is_finite(sample.extent) || !is_finite(sample.relative_speed) || !is_finite(sample.centre_speed) ||
+      !is_finite(sample.mass)) {
+    throw OutOfRange("the size of the cluster of " + particle_name(world.scene, cluster.front()));
+  }
 }
 
 /// When a run looks at its clusters, and at which one.

@@ -6,8 +6,8 @@ namespace tps {
 namespace {
 
 template <int D>
-NextEvent next_event_in(const Scene& scene) {
-  Simulation<double, D> simulation(scene);
+NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
+  Simulation<double, D> simulation(scene, timing);
   World<double, D>& world = simulation.world();
   NextEvent event;
   const auto id = [&](int i) { return scene.particles[static_cast<std::size_t>(i)].id; };
@@ -19,6 +19,8 @@ NextEvent next_event_in(const Scene& scene) {
     if (record.tether != TetherChange::none)
       event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
   };
+  if (const auto pair = simulation.beyond_every_time())
+    throw OutOfRange("the time of the next event of " + pair_name(scene, pair->first, pair->second));
   if (simulation.next_time() != Time<double>::never()) simulation.step();
   for (int i = 0; i < world.size(); ++i) {
     const Vector<double, D> u = world.position(i, world.now);
@@ -30,8 +32,8 @@ NextEvent next_event_in(const Scene& scene) {
 
 }  // namespace
 
-NextEvent next_event(const Scene& scene) {
-  return scene.dimension == 2 ? next_event_in<2>(scene) : next_event_in<3>(scene);
+NextEvent next_event(const Scene& scene, const TimingChoice& timing) {
+  return scene.dimension == 2 ? next_event_in<2>(scene, timing) : next_event_in<3>(scene, timing);
 }
 
 }  // namespace tps

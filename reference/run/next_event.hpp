@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/engine/timing.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
@@ -24,6 +25,7 @@ struct NextEvent {
 };
 
 /// Simulates one event, in double. The scene's duration does not matter: it limits runs.
-NextEvent next_event(const Scene& scene);
+/// Throws OutOfRange (reference/engine/range.hpp) where a number of it leaves the range of a double.
+NextEvent next_event(const Scene& scene, const TimingChoice& timing = {});
 
 }  // namespace tps

@@ -4,9 +4,11 @@
 #include <new>
 #include <stdexcept>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/version.hpp"
 
 namespace tps {
 
@@ -80,12 +82,25 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 }
 
 RunSummary resume_run(const std::string& path, const RunOptions& options) {
+  bool ignored = false;
+  return resume_run(path, options, ignored);
+}
+
+RunSummary resume_run(const std::string& path, const RunOptions& options, bool& unprotected) {
   const TraceHead head = read_trace_head(path);
+  if (head.semantics != kSemanticsVersion) {
+    throw InputError(
+        {{path, 1, "",
+          "is of semantics " + std::to_string(head.semantics) + " and would go on by " +
+              std::to_string(kSemanticsVersion) +
+              ", as no uninterrupted run does (docs/decisions.md); run its scene again from the start"}});
+  }
   RunOptions resumed = options;
   resumed.scalar = head.scalar;
   resumed.timing = head.timing;
   resumed.state_every = head.state_every;
   ResumePoint point = last_state(path);
+  unprotected = point.state.checksum == StateData::Checksum::absent;
   if (is_checkpoint(path) && !options.trace.empty()) {
     require_same_run(path, head, options.trace);
     point.from = options.trace;

@@ -96,7 +96,7 @@ struct RunSummary {
   std::uint64_t largest_group = 0;
   double oldest_group = 0;
   std::uint64_t live_groups = 0;
-  std::uint64_t noise = 0, zero_impulse = 0;
+  std::uint64_t noise = 0, first_noise = 0, zero_impulse = 0;  ///< as in Statistics
   std::uint64_t particles = 0;
 
   struct Final {
@@ -107,17 +107,19 @@ struct RunSummary {
   std::vector<Final> final_states;  ///< at the end, where there are at most kFewParticles
   static constexpr std::size_t kFewParticles = 12;
 
+  std::string out_of_range;  ///< which number left the range of the scalar, where that ended the run
   std::vector<std::string>
       stalled_on;  ///< ids and species of the particles of the last events, if the run stalled
 };
 
-/// Simulates a scene. Throws OutputError when a result cannot be written. REQUIRES can_be_timed(), and a
-/// certifier where the timing is certified.
+/// Simulates a scene. Throws OutputError when a result cannot be written, InputError where the scene cannot
+/// be held in the scalar. REQUIRES can_be_timed(), and a certifier where the timing is certified.
 RunSummary run_scene(const Scene& scene, const RunOptions& options);
 
 /// What a trace or a checkpoint says before its first event.
 struct TraceHead {
   Scene scene;
+  int semantics = 0;
   ScalarKind scalar = ScalarKind::double_;
   Timing timing = Timing::stable;
   std::uint64_t state_every = 0;

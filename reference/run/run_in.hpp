@@ -5,12 +5,14 @@
 #include <chrono>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 
 #include "reference/run/audit.hpp"
 #include "reference/run/clusters.hpp"
 #include "reference/run/run.hpp"
+#include "reference/run/scene_in_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/trace/capture.hpp"
 #include "reference/trace/event_line.hpp"
@@ -25,19 +27,25 @@ class RecordedRun {
         options_(options),
         duration_(options.until.value_or(scene.duration)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
-        simulation_(scene, {options.timing, options.certifier}),
+        simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}),
         files_(scene, options, state_every_, restored(resume)),
         schedule_(scene, scene.duration) {
+    last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
-    first_event_ = simulation_.world().events;
-    simulation_.world().sink = [this](const Record<Scalar, D>& record) { note(record); };
+    first_event_ = world().events;
+    listen();
   }
 
   RunSummary run() {
     const auto start = std::chrono::steady_clock::now();
-    const EndReason reason = run_events();
+    EndReason reason = run_events();
+    if (reason == EndReason::duration && !everyone_is_in_range(end_time(reason))) {
+      reason = EndReason::out_of_range;
+    }
     const Time<Scalar> end = end_time(reason);
-    schedule_.sample_until(world(), std::min(simulation_.next_time(), after_end(end)), samples_);
+    if (reason != EndReason::out_of_range) {
+      schedule_.sample_until(world(), std::min(simulation_->next_time(), after_end(end)), samples_);
+    }
     if (files_.wants_states()) write_state_line(true);
     if (files_.has_trace()) {
       files_.line("{\"end\":\"" + std::string(name(reason)) + "\",\"events\":" +
@@ -49,12 +57,12 @@ class RecordedRun {
   }
 
  private:
-  const World<Scalar, D>& world() const { return simulation_.world(); }
+  const World<Scalar, D>& world() const { return simulation_->world(); }
 
   /// Takes up the state to go on from, before the files are touched: a state that does not fit costs nothing.
   const ResumePoint* restored(const ResumePoint* resume) {
     if (resume == nullptr) return nullptr;
-    restore(simulation_, resume->state);
+    restore(*simulation_, resume->state);
     for (const std::vector<Hex>& data : resume->state.observations) samples_.push_back(sample_from(data));
     return resume;
   }
@@ -64,16 +72,17 @@ class RecordedRun {
     auto last_report = std::chrono::steady_clock::now();
     for (std::uint64_t steps = 0;; ++steps) {
       if (options_.interrupt != nullptr && options_.interrupt->load()) return EndReason::interrupted;
-      if (simulation_.stalled()) return EndReason::stalled;
+      if (simulation_->stalled()) return EndReason::stalled;
       if (options_.max_events && world().events >= *options_.max_events) return EndReason::max_events;
-      const Time<Scalar> next = simulation_.next_time();
-      if (next == Time<Scalar>::never() && end == next) return EndReason::no_more_events;
+      const Time<Scalar> next = simulation_->next_time();
+      if (next == Time<Scalar>::never() && end == next) return reason_of_silence();
       if (end < next) return EndReason::duration;
-      schedule_.sample_until(world(), next, samples_);
       const std::uint64_t before = world().events;
-      simulation_.step();
-      if (files_.wants_states() && before / state_every_ != world().events / state_every_)
-        write_state_line(false);
+      if (!step(next)) return EndReason::out_of_range;
+      if (before / state_every_ != world().events / state_every_) {
+        last_state_ = capture(*simulation_);
+        if (files_.wants_states()) write_state_line(false);
+      }
       if (steps % kStepsBetweenLooks != 0) continue;
       const auto now = std::chrono::steady_clock::now();
       if (now - last_report < std::chrono::milliseconds(100)) continue;
@@ -83,6 +92,54 @@ class RecordedRun {
         options_.progress({static_cast<double>(world().now.hi), duration_, world().events});
       }
     }
+  }
+
+  /// One step, whose lines are written once it is done. @return false where a number left the range: then
+  /// everything is as it was before the step.
+  bool step(const Time<Scalar>& next) {
+    const std::uint64_t before = world().events;
+    try {
+      schedule_.sample_until(world(), next, samples_);
+      simulation_->step();
+    } catch (const OutOfRange& problem) {
+      out_of_range_ = problem.what();
+      lines_.clear();
+      simulate_again(before);
+      return false;
+    }
+    for (const std::string& line : lines_) files_.line(line);
+    lines_.clear();
+    return true;
+  }
+
+  /// A step that broke off has changed some of the state. Since a run is a function of its last full state,
+  /// simulating from there gives what was before it.
+  void simulate_again(std::uint64_t events) {
+    simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier});
+    restore(*simulation_, last_state_);
+    while (world().events < events) simulation_->step();
+    listen();
+  }
+
+  void listen() {
+    simulation_->world().sink = [this](const Record<Scalar, D>& record) { note(record); };
+  }
+
+  /// No event at any finite time: none at all, or one whose time the scalar does not reach.
+  EndReason reason_of_silence() {
+    const auto pair = simulation_->beyond_every_time();
+    if (!pair) return EndReason::no_more_events;
+    out_of_range_ = "the time of the next event of " + pair_name(scene_, pair->first, pair->second);
+    return EndReason::out_of_range;
+  }
+
+  bool everyone_is_in_range(const Time<Scalar>& end) {
+    for (int i = 0; i < world().size(); ++i) {
+      if (is_finite<Scalar, D>(world().position(i, end))) continue;
+      out_of_range_ = "the position of " + particle_name(scene_, i) + " at the end of the duration";
+      return false;
+    }
+    return true;
   }
 
   /// A run that ended because time was up has reached the end of its duration; any other stands at its last
@@ -97,14 +154,14 @@ class RecordedRun {
   }
 
   void note(const Record<Scalar, D>& record) {
-    if (files_.has_trace()) files_.line(event_line<Scalar, D>(scene_, record));
+    if (files_.has_trace()) lines_.push_back(event_line<Scalar, D>(scene_, record));
     last_involved_.push_back(record.i);
     last_involved_.push_back(record.j);
     while (last_involved_.size() > kLastInvolved) last_involved_.pop_front();
   }
 
   void write_state_line(bool final) {
-    StateData state = capture(simulation_);
+    StateData state = capture(*simulation_);
     state.final = final;
     for (const ClusterSample& sample : samples_) state.observations.push_back(sample_data(sample));
     files_.state(write_state(state, exact_time(scene_.start_time, world().now)));
@@ -153,11 +210,14 @@ class RecordedRun {
   double duration_;
   std::uint64_t state_every_;
   std::vector<ClusterSample> samples_;
-  Simulation<Scalar, D> simulation_;
+  std::optional<Simulation<Scalar, D>> simulation_;
   TraceFiles files_;
   ClusterSchedule schedule_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;
+  std::vector<std::string> lines_;  ///< of the step that is being made
+  StateData last_state_;
+  std::string out_of_range_;
 };
 
 template <typename Scalar, int D>
@@ -189,8 +249,10 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   }
   summarise_groups(s, end);
   s.noise = world().statistics.noise;
+  s.first_noise = world().statistics.first_noise;
   s.zero_impulse = world().statistics.zero_impulse;
   if (s.particles <= RunSummary::kFewParticles) s.final_states = final_states(end);
+  s.out_of_range = out_of_range_;
   if (reason == EndReason::stalled) s.stalled_on = stalled_particles();
   return s;
 }
@@ -268,10 +330,24 @@ std::vector<std::string> RecordedRun<Scalar, D>::stalled_particles() const {
   return names;
 }
 
+/// Before a run starts: what its scene holds, in the scalar of the run. A start from which a number leaves
+/// the range at once is as little a start as one that holds such a number.
+template <typename Scalar, int D>
+RunSummary run_in_dimension(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
+  if (resume == nullptr) require_scene_in_scalar<Scalar, D>(scene, options);
+  std::optional<RecordedRun<Scalar, D>> run;
+  try {
+    run.emplace(scene, options, resume);
+  } catch (const OutOfRange& problem) {
+    refuse_start<Scalar>(problem.what());
+  }
+  return run->run();
+}
+
 template <typename Scalar>
 RunSummary run_in(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
-  if (scene.dimension == 2) return RecordedRun<Scalar, 2>(scene, options, resume).run();
-  return RecordedRun<Scalar, 3>(scene, options, resume).run();
+  if (scene.dimension == 2) return run_in_dimension<Scalar, 2>(scene, options, resume);
+  return run_in_dimension<Scalar, 3>(scene, options, resume);
 }
 
 }  // namespace tps

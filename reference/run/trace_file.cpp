@@ -1,14 +1,25 @@
 #include "reference/run/trace_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "reference/run/resume.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/scene/schema_words.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/checksum.hpp"
+#include "reference/text/fields.hpp"
+#include "reference/text/line_source.hpp"
 #include "reference/version.hpp"
 
 namespace tps {
@@ -18,19 +29,26 @@ namespace {
   throw InputError({{path, line, "", message}});
 }
 
+constexpr std::size_t kLongestHead = std::size_t{64} << 20U;   // holds a scene, which is no longer
+constexpr std::size_t kLongestLine = std::size_t{512} << 20U;  // a full state of a million particles
+
 /// Complete lines of a file, with the place behind each. A last line without an end was cut off while it was
 /// written and does not count.
 class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), in_(path, std::ios::binary) {
-    if (std::filesystem::is_directory(path))
+    std::error_code unknown;  // a loop of links, a name too long: cannot be opened either
+    if (std::filesystem::is_directory(path, unknown))
       fail(path, 0, "is a directory; a trace or checkpoint file is wanted");
     if (!in_) fail(path, 0, "cannot be opened; a trace or checkpoint file is wanted");
   }
 
   bool next() {
-    if (!std::getline(in_, text) || in_.eof()) return false;
+    LineRead read;
+    const std::size_t longest = number == 0 ? kLongestHead : kLongestLine;
+    if (!read_line(in_, text, longest, read) || !read.ended) return false;
     ++number;
+    if (read.too_long) fail(path_, number, fmt::format("is longer than {} bytes; no line is", longest));
     end += text.size() + 1;
     return true;
   }
@@ -47,26 +65,80 @@ class Lines {
 constexpr std::string_view kStateStart = "{\"state\":";
 
 StateData state_of(const std::string& path, const Lines& lines) {
-  try {
-    return read_state(lines.text);
-  } catch (const std::exception& error) {
-    fail(path, lines.number, std::string("is not a full state: ") + error.what());
-  }
+  return read_state(lines.text, path, lines.number);
 }
 
 /// Reads a first line and checks that it is one.
-nlohmann::json head_of(const std::string& path) {
+JsonDocument head_of(const std::string& path) {
+  refuse_other_kinds_of_file(path, "a trace or a checkpoint", {FileKind::trace, FileKind::checkpoint});
   Lines lines(path);
   if (!lines.next()) fail(path, 1, "holds no complete line; a trace starts with {\"trace\":1,…}");
-  const nlohmann::json head = nlohmann::json::parse(lines.text, nullptr, false);
-  if (!head.is_object() || !(head.contains("trace") || head.contains("checkpoint"))) {
+  JsonDocument document = parse_json(lines.text, path);
+  document.problems.throw_if_any();
+  if (document.root.find("trace") == nullptr && document.root.find("checkpoint") == nullptr) {
     fail(path, 1,
          "is not the first line of a trace ({\"trace\":1,…}) or of a checkpoint ({\"checkpoint\":1,…})");
   }
+  return document;
+}
+
+void require_version(const Field& head, const char* key, const char* what) {
+  const std::uint64_t version = head.at(key).natural();
+  if (version != 1) {
+    head.at(key).refuse(fmt::format("is {}; this program reads version 1 of {}", version, what));
+  }
+}
+
+/// The whole of a first line but its scene, read strictly.
+TraceHead head_from(const Field& line) {
+  TraceHead head;
+  const bool checkpoint = line.has("checkpoint");
+  line.require_keys({checkpoint ? "checkpoint" : "trace", "semantics", "scalar", "options", "scene"},
+                    {"version", "form", "checksum"});
+  require_version(line, checkpoint ? "checkpoint" : "trace", checkpoint ? "checkpoints" : "traces");
+  const Field semantics = line.at("semantics");
+  const std::uint64_t version = semantics.natural();
+  if (!is_known_semantics(static_cast<double>(version))) {
+    semantics.refuse(fmt::format("is {}; this program knows {} to {} (docs/semantics.md)", version,
+                                 kOldestSemantics, kSemanticsVersion));
+  }
+  head.semantics = static_cast<int>(version);
+  const Field scalar = line.at("scalar");
+  if (const auto kind = scalar_kind(scalar.text())) {
+    head.scalar = *kind;
+  } else {
+    scalar.refuse(
+        fmt::format("is {}; scalars are {}", describe_found(scalar.json()), fmt::join(scalar_names(), ", ")));
+  }
+  const Field options = line.at("options");
+  options.require_keys({"state_every"}, {"timing"});
+  head.state_every = options.at("state_every").natural();
+  if (head.state_every == 0)
+    options.at("state_every").refuse("is 0; full states are at least an event apart");
+  if (!options.has("timing")) return head;  // from before there was a choice
+  const Field timing = options.at("timing");
+  const auto kind = timing_named(timing.text());
+  if (!kind) {
+    timing.refuse(fmt::format("is {}; it is one of {}", describe_found(timing.json()),
+                              fmt::join(timing_names(), ", ")));
+  }
+  if (!can_be_timed(head.scalar, *kind))
+    timing.refuse("is certified in a scalar other than float and double, which no run has");
+  head.timing = *kind;
   return head;
 }
 
 }  // namespace
+
+bool is_known_semantics(double version) {
+  return version >= kOldestSemantics && version <= kSemanticsVersion && std::trunc(version) == version;
+}
+
+std::string head_checksum(const TraceHead& head) {
+  return checksum_of(fmt::format("{}\n{}\n{}\n{}", scalar_names()[static_cast<std::size_t>(head.scalar)],
+                                 timing_names()[static_cast<std::size_t>(head.timing)], head.state_every,
+                                 write_scene(head.scene, SceneStyle::compact)));
+}
 
 std::string head_line(std::string_view kind, const Scene& scene, const RunOptions& options,
                       std::uint64_t state_every) {
@@ -79,42 +151,32 @@ std::string head_line(std::string_view kind, const Scene& scene, const RunOption
        {{"timing", timing_names()[static_cast<std::size_t>(options.timing)]}, {"state_every", state_every}}}};
   std::string line = head.dump();
   line.pop_back();
-  return line.append(",\"scene\":").append(write_scene(scene, SceneStyle::compact)).append("}\n");
+  line.append(",\"scene\":").append(write_scene(scene, SceneStyle::compact));
+  const std::string checksum =
+      head_checksum({scene, kSemanticsVersion, options.scalar, options.timing, state_every});
+  return line.append(",\"checksum\":\"").append(checksum).append("\"}\n");
 }
 
 TraceHead read_trace_head(const std::string& path) {
-  const nlohmann::json head = head_of(path);
-  try {
-    TraceHead result;
-    const std::optional<ScalarKind> scalar = scalar_kind(head.at("scalar").get<std::string>());
-    if (!scalar)
-      fail(path, 1, "names the scalar '" + head.at("scalar").get<std::string>() + "', which is unknown");
-    result.scalar = *scalar;
-    const nlohmann::json& options = head.at("options");
-    const std::string timing_name = options.value("timing", "stable");
-    const std::optional<Timing> timing = timing_named(timing_name);
-    if (!timing) {
-      fail(path, 1,
-           "names the timing '" + timing_name + "', which is unknown; it is one of paper, stable, certified");
-    }
-    if (!can_be_timed(result.scalar, *timing)) {
-      fail(path, 1, "has certified timing in a scalar other than float and double, which no run has");
-    }
-    result.timing = *timing;
-    result.state_every = options.at("state_every");
-    result.scene = read_scene_text(head.at("scene").dump(), path + " (scene in the first line)");
-    return result;
-  } catch (const nlohmann::json::exception& error) {
-    fail(path, 1, std::string("lacks something that a trace begins with: ") + error.what());
+  const JsonDocument document = head_of(path);
+  const Field line(document.root, path);
+  TraceHead head = head_from(line);
+  head.scene = read_scene_value(line.at("scene").json(), path, "/scene");
+  if (line.has("checksum") && line.at("checksum").text() != head_checksum(head)) {
+    line.at("checksum")
+        .refuse(
+            "is not that of scalar, options and scene, so that the line was damaged or edited; if it was "
+            "edited, "
+            "leave the checksum out");
   }
+  return head;
 }
 
 bool is_checkpoint(const std::string& path) {
-  return head_of(path).contains("checkpoint");
+  return head_of(path).root.find("checkpoint") != nullptr;
 }
 
 ResumePoint last_state(const std::string& path) {
-  static_cast<void>(head_of(path));
   Lines lines(path);
   std::string text;
   ResumePoint point;
@@ -133,9 +195,7 @@ ResumePoint last_state(const std::string& path) {
     before = lines.end;
   }
   if (text.empty()) fail(path, 0, "holds no full state to resume from; start the run again");
-  lines.text = text;
-  lines.number = number;
-  point.state = state_of(path, lines);
+  point.state = read_state(text, path, number);
   point.keep = point.state.final ? start : end;
   return point;
 }
@@ -170,9 +230,9 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
 }
 
 TraceFiles::TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
-                       const ResumePoint* resume)
-    : checkpoint_(options.checkpoint) {
-  if (!checkpoint_.empty()) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
+                       const ResumePoint* resume) {
+  if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
+  if (checkpoint_) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
   if (options.trace.empty()) return;
   if (resume == nullptr) {
     trace_ = std::make_unique<Output>(options.trace);
@@ -201,9 +261,9 @@ void TraceFiles::line(std::string_view text) {
 
 void TraceFiles::state(const std::string& text) {
   if (trace_) line(text);
-  if (checkpoint_.empty()) return;
+  if (!checkpoint_) return;
   if (trace_) trace_->flush();  // a checkpoint is never ahead of its trace
-  replace_file(checkpoint_, checkpoint_head_ + text + "\n");
+  checkpoint_->replace(checkpoint_head_ + text + "\n");
 }
 
 void TraceFiles::flush() {

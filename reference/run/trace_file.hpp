@@ -45,7 +45,7 @@ class TraceFiles {
              const ResumePoint* resume);
 
   bool has_trace() const { return trace_ != nullptr; }
-  bool wants_states() const { return trace_ != nullptr || !checkpoint_.empty(); }
+  bool wants_states() const { return trace_ != nullptr || checkpoint_.has_value(); }
   void line(std::string_view text);
   void state(const std::string& text);
   void flush();
@@ -53,7 +53,7 @@ class TraceFiles {
 
  private:
   std::unique_ptr<Output> trace_;
-  std::string checkpoint_;
+  std::optional<ReplacedFile> checkpoint_;
   std::string checkpoint_head_;
 };
 

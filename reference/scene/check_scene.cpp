@@ -39,12 +39,18 @@ std::string length(double value) {
   return std::isfinite(value) ? write_shortest(value) : "inf";
 }
 
-const PairLaw* find_law(const Scene& scene, int a, int b) {
-  const auto [first, second] = std::minmax(a, b);
-  for (const PairLaw& law : scene.pairs) {
-    if (law.species_a == first && law.species_b == second) return &law;
-  }
-  return nullptr;
+/// The laws by their species, the first of each pair; phases and tethers may be as many as laws.
+using LawsBySpecies = std::map<std::pair<int, int>, const PairLaw*>;
+
+LawsBySpecies laws_by_species(const Scene& scene) {
+  LawsBySpecies laws;
+  for (const PairLaw& law : scene.pairs) laws.emplace(std::pair(law.species_a, law.species_b), &law);
+  return laws;
+}
+
+const PairLaw* find_law(const LawsBySpecies& laws, int a, int b) {
+  const auto found = laws.find({std::min(a, b), std::max(a, b)});
+  return found == laws.end() ? nullptr : found->second;
 }
 
 void check_pair(const Scene& scene, const PairLaw& law, const std::string& pointer, SceneSource& source) {
@@ -116,6 +122,7 @@ void check_overlaps(const Scene& scene, std::string_view rule, HasRule has_rule,
 }
 
 void check_phases(const Scene& scene, SceneSource& source) {
+  const LawsBySpecies laws = laws_by_species(scene);
   for (std::size_t k = 0; k < scene.phases.size(); ++k) {
     const Phase& phase = scene.phases[k];
     const std::string pointer = fmt::format("/phases/{}", k);
@@ -123,7 +130,7 @@ void check_phases(const Scene& scene, SceneSource& source) {
       source.report(pointer + "/until", fmt::format("found {}; allowed: a number greater than \"from\", {}",
                                                     length(phase.until), length(phase.from)));
     }
-    const PairLaw* law = find_law(scene, phase.species_a, phase.species_b);
+    const PairLaw* law = find_law(laws, phase.species_a, phase.species_b);
     const bool has_rules = law != nullptr && law->tethering && !is_permanent(*law->tethering);
     if (!has_rules) {
       const bool permanent = law != nullptr && law->tethering;
@@ -165,8 +172,8 @@ void check_impulses(const Scene& scene, SceneSource& source) {
 }
 
 // Why two different particles cannot be tethered by the scene's list; empty if they can.
-std::string objection(const Scene& scene, const Particle& a, const Particle& b) {
-  const PairLaw* law = find_law(scene, a.species, b.species);
+std::string objection(const Scene& scene, const LawsBySpecies& laws, const Particle& a, const Particle& b) {
+  const PairLaw* law = find_law(laws, a.species, b.species);
   const std::string who = fmt::format("particles {} and {}", a.id, b.id);
   const std::string kinds = pair_name(scene, a.species, b.species);
   if (law == nullptr || !law->tethering) {
@@ -183,6 +190,7 @@ std::string objection(const Scene& scene, const Particle& a, const Particle& b) 
 }
 
 void check_tethers(const Scene& scene, SceneSource& source) {
+  const LawsBySpecies laws = laws_by_species(scene);
   std::map<std::pair<int, int>, std::size_t> entry_of;
   std::vector<int> held(scene.particles.size(), 0);
   for (std::size_t k = 0; k < scene.tethers.size(); ++k) {
@@ -201,7 +209,7 @@ void check_tethers(const Scene& scene, SceneSource& source) {
                                 b.id, first->second, source.line(fmt::format("/tethers/{}", first->second))));
       continue;
     }
-    if (const std::string reason = objection(scene, a, b); !reason.empty()) {
+    if (const std::string reason = objection(scene, laws, a, b); !reason.empty()) {
       source.report(pointer, reason);
       continue;
     }

@@ -6,9 +6,11 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include "reference/scene/number_text.hpp"
+#include "reference/scene/point_tree.hpp"
 
 namespace tps {
 namespace {
@@ -61,6 +63,7 @@ class Starts {
  public:
   Starts(const Scene& scene, SceneSource& source) : scene_(scene), source_(source) {
     members_.resize(scene.species.size());
+    for (const PairLaw& law : scene.pairs) laws_.emplace(std::pair(law.species_a, law.species_b), &law);
     for (std::size_t k = 0; k < scene.particles.size(); ++k) {
       members_[static_cast<std::size_t>(scene.particles[k].species)].push_back(k);
     }
@@ -81,25 +84,34 @@ class Starts {
     return members_[static_cast<std::size_t>(species)];
   }
 
-  // Along the axis on which the particles spread most, only those within the distance are looked at.
+  // Pairs in the order of their places along the axis on which the particles spread most. Only particles
+  // whose boxes come near are looked at (point_tree.hpp): piles of one species cost the other nothing.
   void check_blocking(const PairLaw& law) {
+    const bool same = law.species_a == law.species_b;
     std::vector<std::size_t> order = members(law.species_a);
-    if (law.species_a != law.species_b) {
-      order.insert(order.end(), members(law.species_b).begin(), members(law.species_b).end());
-    }
+    if (!same) order.insert(order.end(), members(law.species_b).begin(), members(law.species_b).end());
     const std::size_t axis = longest_axis(order);
     const auto along = [&](std::size_t k) { return scene_.particles[k].position[axis]; };
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return along(a) != along(b) ? along(a) < along(b) : a < b;
     });
+    std::vector<std::size_t> rank(scene_.particles.size());
+    for (std::size_t n = 0; n < order.size(); ++n) rank[order[n]] = n;
     const Limit limit{"blocking", StartVerdict::nearer, law.blocking->distance};
-    for (std::size_t m = 0; m < order.size(); ++m) {
-      // Rounding is monotone: where the true difference is below the distance, the computed one is not above.
-      for (std::size_t n = m + 1; n < order.size() && along(order[n]) - along(order[m]) <= limit.distance;
-           ++n) {
-        const int s = scene_.particles[order[m]].species;
-        const int t = scene_.particles[order[n]].species;
-        if (law.species_a == law.species_b || s != t) check_pair(order[m], order[n], limit);
+    const PointTree of_a(scene_, members(law.species_a));
+    const PointTree of_b(scene_, same ? std::vector<std::size_t>() : members(law.species_b));
+    std::vector<std::size_t> near;
+    for (const std::size_t k : order) {
+      const Coordinates& position = scene_.particles[k].position;
+      near.clear();
+      const PointTree& others = same || scene_.particles[k].species == law.species_b ? of_a : of_b;
+      others.visit([&](const PointTree::Box& box) { return may_be_nearer(box, position, limit.distance); },
+                   [&](std::size_t other) {
+                     if (rank[other] > rank[k]) near.push_back(other);
+                   });
+      std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
+      for (const std::size_t other : near) {
+        check_pair(k, other, limit);
         if (source_.full()) return;
       }
     }
@@ -125,9 +137,17 @@ class Starts {
 
   void check_permanent(const PairLaw& law) {
     const Limit limit{"tethering", StartVerdict::farther, law.tethering->distance};
+    const PointTree partners(scene_, members(law.species_b));
+    std::vector<std::size_t> far;
     for (const std::size_t i : members(law.species_a)) {
-      for (const std::size_t j : members(law.species_b)) {
-        if (law.species_a == law.species_b && j <= i) continue;
+      const Coordinates& position = scene_.particles[i].position;
+      far.clear();
+      partners.visit([&](const PointTree::Box& box) { return may_be_farther(box, position, limit.distance); },
+                     [&](std::size_t j) {
+                       if (law.species_a != law.species_b || j > i) far.push_back(j);
+                     });
+      std::sort(far.begin(), far.end());
+      for (const std::size_t j : far) {
         check_pair(i, j, limit);
         if (source_.full()) return;
       }
@@ -138,10 +158,9 @@ class Starts {
     const auto i = static_cast<std::size_t>(tether.i);
     const auto j = static_cast<std::size_t>(tether.j);
     const auto [a, b] = std::minmax(scene_.particles[i].species, scene_.particles[j].species);
-    for (const PairLaw& law : scene_.pairs) {
-      if (law.species_a != a || law.species_b != b || !law.tethering) continue;
-      check_pair(i, j, {"tethering", StartVerdict::farther, law.tethering->distance});
-    }
+    const auto law = laws_.find({a, b});
+    if (law == laws_.end() || !law->second->tethering) return;
+    check_pair(i, j, {"tethering", StartVerdict::farther, law->second->tethering->distance});
   }
 
   void check_pair(std::size_t i, std::size_t j, const Limit& limit) {
@@ -163,6 +182,7 @@ class Starts {
   const Scene& scene_;
   SceneSource& source_;
   std::vector<std::vector<std::size_t>> members_;
+  std::map<std::pair<int, int>, const PairLaw*> laws_;
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace tps {
 /// are rounded (a cradle at 0.1 i). The verdict is exact: see start_verdict. Two infinite masses never
 /// interact and may start anywhere.
 ///
-/// Pairs of species without a law cost nothing; blocking pairs are found by a sweep along the longest axis.
+/// Pairs of species without a law cost nothing; pairs that are too near or too far are found by
+/// a tree of boxes, without looking at all pairs.
 /// REQUIRES that species, pairs, particles and tethers of the scene are sound. Stops where `source` is full.
 void check_starts(const Scene& scene, SceneSource& source);
 

@@ -5,8 +5,26 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/text/printable.hpp"
+
 namespace tps {
 namespace {
+
+// A message is ours but for what it quotes, which its writer keeps short; these bounds are for what slips
+// through, and for pointers, which are made of keys.
+constexpr std::size_t most_of_file = 1000;
+constexpr std::size_t most_of_pointer = 300;
+constexpr std::size_t most_of_message = 2000;
+
+InputProblem fit_to_print(const InputProblem& problem) {
+  return {printable(problem.file, most_of_file), problem.line, printable(problem.pointer, most_of_pointer),
+          printable(problem.message, most_of_message)};
+}
+
+std::vector<InputProblem> all_printable(std::vector<InputProblem> problems) {
+  for (InputProblem& problem : problems) problem = fit_to_print(problem);
+  return problems;
+}
 
 std::vector<InputProblem> sorted_by_line(std::vector<InputProblem> problems) {
   std::stable_sort(problems.begin(), problems.end(),
@@ -38,12 +56,12 @@ std::string format_problem(const InputProblem& problem) {
 }
 
 InputError::InputError(std::vector<InputProblem> problems, bool all)
-    : std::runtime_error(format_all(sorted_by_line(problems), all)),
-      problems_(sorted_by_line(std::move(problems))) {}
+    : std::runtime_error(format_all(sorted_by_line(all_printable(problems)), all)),
+      problems_(sorted_by_line(all_printable(std::move(problems)))) {}
 
 void InputProblems::add(std::size_t line, std::string pointer, std::string message) {
   if (full()) return;
-  problems_.push_back({file_, line, std::move(pointer), std::move(message)});
+  problems_.push_back(fit_to_print({file_, line, std::move(pointer), std::move(message)}));
 }
 
 void InputProblems::add(const InputProblem& problem) {

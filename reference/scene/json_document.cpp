@@ -10,6 +10,7 @@
 
 #include "reference/scene/json_pointer.hpp"
 #include "reference/scene/text_file.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps {
 namespace {
@@ -68,10 +69,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool number_integer(number_integer_t value) override {
     // The parser calls this for a leading minus only; "-0" is the double -0.
     if (value == 0) return add(JsonNumber{-0.0, false});
-    return add_integer(value, -0x1p63 <= static_cast<double>(value));
+    return add_integer(value, -0x1p63 <= static_cast<double>(value), JsonNumber::Integer::negative,
+                       0 - static_cast<std::uint64_t>(value));
   }
   bool number_unsigned(number_unsigned_t value) override {
-    return add_integer(value, static_cast<double>(value) < 0x1p64);
+    return add_integer(value, static_cast<double>(value) < 0x1p64, JsonNumber::Integer::natural, value);
   }
   bool number_float(number_float_t value, const string_t& digits) override {
     // An integer with too many digits for 64 bits arrives here.
@@ -83,6 +85,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool start_object(std::size_t) override { return open(JsonValue::Object()); }
   bool key(string_t& name) override {
+    if (name.size() > limits_.max_key) {
+      awaits_value_ = false;
+      return fail(fmt::format("a key of {} bytes, \"{}\"; keys have at most {}", name.size(),
+                              printable(name, longest_quote), limits_.max_key));
+    }
     JsonMember member;
     member.key = std::move(name);
     member.key_line = line();
@@ -108,10 +115,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::uint32_t line() const { return static_cast<std::uint32_t>(progress_.line() + first_line_ - 1); }
 
   template <typename Integer>
-  bool add_integer(Integer value, bool convertible_back) {
+  bool add_integer(Integer value, bool convertible_back, JsonNumber::Integer sign, std::uint64_t magnitude) {
     const auto nearest = static_cast<double>(value);
     const bool exact = convertible_back && static_cast<Integer>(nearest) == value;
-    return add(JsonNumber{nearest, !exact});
+    return add(JsonNumber{nearest, !exact, sign, magnitude});
   }
 
   template <typename Data>
@@ -184,7 +191,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       if (sorted[k]->key != sorted[k - 1]->key) continue;
       problems_.add(sorted[k]->key_line, pointer(open_.size() - 1),
                     fmt::format("key \"{}\" stands twice, here and in line {}; keep one",
-                                sorted[k]->key.substr(0, longest_quote), sorted[k - 1]->key_line));
+                                printable(sorted[k]->key, longest_quote), sorted[k - 1]->key_line));
     }
   }
 

@@ -15,8 +15,12 @@ namespace tps {
 
 /// A number of a JSON text as the nearest double.
 struct JsonNumber {
+  enum class Integer { none, natural, negative };
+
   double value = 0;
-  bool rounded_integer = false;  ///< written as an integer that no double has
+  bool rounded_integer = false;     ///< written as an integer that no double has
+  Integer integer = Integer::none;  ///< written as an integer of 64 bits: then `magnitude` is exact
+  std::uint64_t magnitude = 0;
 };
 
 struct JsonMember;
@@ -51,6 +55,7 @@ struct JsonMember {
 struct JsonLimits {
   std::size_t max_bytes = std::size_t{64} << 20;
   std::size_t max_depth = 64;          ///< of lists and objects inside each other
+  std::size_t max_key = 1000;          ///< bytes of a key: every message below it names it
   std::size_t max_values = 4'000'000;  ///< of all kinds; about 60 bytes of memory each, 120 while lists grow
 };
 

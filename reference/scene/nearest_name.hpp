@@ -12,7 +12,10 @@ namespace tps {
 /// only the first 64 characters of each are compared.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known name with the fewest edits to `name`, the first of equals. Empty if nothing is known.
+/// The known name that was probably meant: one that a single edit makes of `name`, else the shortest that
+/// begins with it or contains it ("theta" in "theta_revolve_deg"), else one that it begins with or contains,
+/// else the one with the fewest edits. The first of equals; of many, only the first 200 are looked at. Empty
+/// if nothing is known.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace tps

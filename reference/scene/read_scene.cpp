@@ -1,6 +1,7 @@
 #include "reference/scene/read_scene.hpp"
 
 #include "reference/scene/check_scene.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/scene_sections.hpp"
 #include "reference/scene/scene_source.hpp"
 #include "reference/scene/schema_validator.hpp"
@@ -28,7 +29,10 @@ Scene read_document(JsonDocument document) {
 }  // namespace
 
 Scene read_scene_file(const std::string& path) {
-  return read_document(parse_json_file(path, too_large_remedy));
+  const JsonLimits limits;
+  const std::string text = read_text_file(path, limits.max_bytes, too_large_remedy);
+  refuse_other_kinds(text, display_name(path), "a scene", {FileKind::scene});
+  return read_document(parse_json(text, display_name(path), limits));
 }
 
 Scene read_scene_text(std::string_view text, const std::string& name) {

@@ -9,6 +9,7 @@
 
 #include "reference/engine/group_coupling.hpp"
 #include "reference/engine/simulation.hpp"
+#include "reference/trace/check_state.hpp"
 #include "reference/trace/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
@@ -67,6 +68,22 @@ Sum<Scalar> sum_from(const HexVector& data) {
   return {number_from<Scalar>(data.at(0)), number_from<Scalar>(data.at(1))};
 }
 
+inline void require_fit(const Scene& scene, const StateData& state, int digits) {
+  if (state.checksum == StateData::Checksum::wrong) {
+    throw std::runtime_error(
+        "its checksum is not that of its content, so that it was damaged or edited (an edited one may leave "
+        "the "
+        "checksum out)");
+  }
+  const std::vector<StateProblem> problems = state_problems(scene, state, digits);
+  if (problems.empty()) return;
+  std::string text;
+  for (const StateProblem& problem : problems) {
+    text += (text.empty() ? "" : "; ") + (problem.pointer + " " + problem.message);
+  }
+  throw std::runtime_error(text);
+}
+
 /// The quantities of ledger and statistics, each under its name, for both directions.
 template <typename Ledger, typename Statistics, typename Visit>
 void visit_quantities(Ledger& ledger, Statistics& statistics, Visit visit) {
@@ -89,6 +106,7 @@ void visit_quantities(Ledger& ledger, Statistics& statistics, Visit visit) {
 template <typename Statistics, typename Visit>
 void visit_counts(Statistics& statistics, Visit visit) {
   visit("#noise", statistics.noise);
+  visit("#first_noise", statistics.first_noise);
   visit("#zero_impulse", statistics.zero_impulse);
   visit("#largest_group", statistics.largest_group);
 }
@@ -214,6 +232,7 @@ template <typename Scalar, int D>
 void restore(Simulation<Scalar, D>& simulation, const StateData& state) {
   using namespace detail;
   World<Scalar, D>& world = simulation.world();
+  require_fit(world.scene, state, std::numeric_limits<Scalar>::digits);
   std::unordered_map<std::int32_t, int> index_of;
   for (int i = 0; i < world.size(); ++i) index_of[world.scene.particles[world.index(i)].id] = i;
   if (state.particles.size() != world.particles.size())

@@ -70,7 +70,7 @@ std::optional<HexDigits> split_hex(std::string_view text) {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     long exponent = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    constexpr long kLimit = 1L << 40;
+    constexpr long kLimit = 1L << 20;  // sums are exact: the digits between two exponents are written out
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     if (exponent > kLimit || exponent < -kLimit) return std::nullopt;
     hex.exponent += exponent;

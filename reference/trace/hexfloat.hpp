@@ -18,7 +18,8 @@ struct HexDigits {
   long exponent = 0;   ///< of the last digit: value = (digits as an integer) · 2^exponent
 };
 
-/// Splits "[-]0xH.HHHp±D" into its digits; nothing for any other text.
+/// Splits "[-]0xH.HHHp±D" into its digits; nothing for any other text, nor for exponents beyond ±2^20: no run
+/// comes near them, and an exact sum of such numbers would have a million digits.
 std::optional<HexDigits> split_hex(std::string_view text);
 
 /// The normalised spelling: leading digit 1, no trailing zeros, "0x0p+0" for zero.

@@ -16,13 +16,17 @@ class OutputError : public std::runtime_error {
 };
 
 /// Appends text to a file, "-" being standard output. Buffered; throws OutputError as soon as the system
-/// refuses to take something (a full disk, a closed pipe).
+/// refuses to take something (a full disk, a closed pipe), or where another process writes the same file.
 class Output {
  public:
+  enum class Append { at_end };
+
   /// Creates or empties the file.
   explicit Output(const std::string& path);
   /// Keeps the first `keep` bytes of an existing file and goes on behind them.
   Output(const std::string& path, std::uint64_t keep);
+  /// Creates the file if it is not there, and goes on at its end.
+  Output(const std::string& path, Append at_end);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -34,14 +38,32 @@ class Output {
   void close();
 
  private:
+  /// Locked until it is closed, by whichever name or link it was opened.
+  void open_locked(int mode);
   [[noreturn]] void fail(const char* action) const;
 
   std::string path_;
   int descriptor_ = -1;
+  bool is_file_ = false;  ///< rather than a pipe, a terminal, a device
   std::string buffer_;
 };
 
-/// Replaces a file's content in one step: a reader sees the old or the new one, never a part.
-void replace_file(const std::string& path, std::string_view content);
+/// A file whose content is replaced in one step: a reader sees the old or the new one, never a part. While
+/// one lives, no other process can have one of the same file.
+class ReplacedFile {
+ public:
+  /// Throws OutputError where another process has it, or what is there is no file (a device).
+  explicit ReplacedFile(const std::string& path);
+  ~ReplacedFile();
+  ReplacedFile(const ReplacedFile&) = delete;
+  ReplacedFile& operator=(const ReplacedFile&) = delete;
+
+  void replace(std::string_view content);
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  int ours_ = -1;  ///< what was there or what we put there, locked
+};
 
 }  // namespace tps

@@ -1,10 +1,17 @@
 #include "reference/trace/state_data.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <span>
+
+#include "reference/text/checksum.hpp"
+#include "reference/text/fields.hpp"
+#include "reference/text/printable.hpp"
+#include "reference/trace/hexfloat.hpp"
 
 namespace tps {
 
-using nlohmann::json;
 using ordered = nlohmann::ordered_json;
 
 namespace {
@@ -17,12 +24,6 @@ ordered side_json(const StateData::Side& side) {
   if (side.node) return {{"node", *side.node}};
   if (side.particle) return {{"particle", *side.particle}};
   return nullptr;
-}
-
-StateData::Side side_from(const json& value) {
-  if (value.is_null()) return {};
-  if (value.contains("node")) return {value.at("node").get<int>(), std::nullopt};
-  return {std::nullopt, value.at("particle").get<std::int32_t>()};
 }
 
 ordered group_json(const StateData::Group& group) {
@@ -42,32 +43,44 @@ ordered group_json(const StateData::Group& group) {
           {"nodes", nodes}};
 }
 
-StateData::Group group_from(const json& value) {
-  StateData::Group group{value.at("members"), value.at("mass"), value.at("expiry"), value.at("birth"), {}};
-  for (const json& n : value.at("nodes")) {
-    group.nodes.push_back({n.at("i"),
-                           n.at("j"),
-                           n.at("limit") == "outer",
-                           {side_from(n.at("sides").at(0)), side_from(n.at("sides").at(1))},
-                           n.at("masses"),
-                           n.at("dp")});
+void append_numbers(std::string& text, std::string_view key, std::span<const Hex> numbers) {
+  text.append(",\"").append(key).append("\":[");
+  for (const Hex& number : numbers) text.append("\"").append(number).append("\",");
+  if (numbers.empty()) {
+    text.push_back(']');
+  } else {
+    text.back() = ']';
   }
-  return group;
 }
 
-}  // namespace
-
-std::string write_state(const StateData& state, const Hex& t) {
-  ordered line{{"state", state.k}, {"t", t}};
-  if (state.final) line["final"] = true;
-  line["now"] = state.now;
-  line["last_event"] = state.last_event;
-  line["progress_event"] = state.progress_event;
-  ordered& particles = line["particles"] = ordered::array();
-  for (const StateData::Particle& p : state.particles) {
-    particles.push_back(
-        {{"id", p.id}, {"position", p.position}, {"velocity", p.velocity}, {"clock", p.clock}});
+/// Most of a state by far, written without the detour of a tree; hexadecimal floats need no escapes.
+void append_particles(std::string& text, const std::vector<StateData::Particle>& particles) {
+  text.append("\"particles\":[");
+  for (const StateData::Particle& p : particles) {
+    text.append("{\"id\":").append(std::to_string(p.id));
+    append_numbers(text, "position", p.position);
+    append_numbers(text, "velocity", p.velocity);
+    append_numbers(text, "clock", p.clock);
+    text.append("},");
   }
+  if (particles.empty()) {
+    text.push_back(']');
+  } else {
+    text.back() = ']';
+  }
+}
+
+/// The line without its checksum.
+std::string content_of(const StateData& state, const Hex& t) {
+  ordered head{{"state", state.k}, {"t", t}};
+  if (state.final) head["final"] = true;
+  head["now"] = state.now;
+  head["last_event"] = state.last_event;
+  head["progress_event"] = state.progress_event;
+  std::string text = head.dump();
+  text.back() = ',';
+  append_particles(text, state.particles);
+  ordered line;
   line["tethers"] = state.tethers;
   ordered& responded = line["responded"] = ordered::array();
   for (const StateData::Responded& r : state.responded) {
@@ -83,29 +96,153 @@ std::string write_state(const StateData& state, const Hex& t) {
   line["counts"] = state.counts;
   line["quantities"] = state.quantities;
   line["observations"] = state.observations;
-  return line.dump();
+  text.append(",").append(line.dump(), 1);
+  return text;
 }
 
-StateData read_state(std::string_view text) {
-  const json line = json::parse(text);
-  StateData state;
-  state.k = line.at("state");
-  state.final = line.value("final", false);
-  state.now = line.at("now");
-  state.last_event = line.at("last_event");
-  state.progress_event = line.at("progress_event");
-  for (const json& p : line.at("particles")) {
-    state.particles.push_back({p.at("id"), p.at("position"), p.at("velocity"), p.at("clock")});
+// Reading.
+
+constexpr std::uint64_t kMostId = INT32_MAX;
+constexpr std::size_t kLongestNumber = 400;  // of 333 bits, the widest scalar, are 84 digits and an exponent
+
+std::int32_t id_from(const Field& value) {
+  return static_cast<std::int32_t>(value.natural(kMostId));
+}
+
+Hex hex_from(const Field& value, bool may_be_infinite) {
+  const Hex& text = value.text();
+  const bool is_number = text.size() <= kLongestNumber && split_hex(text).has_value();
+  if (!is_number && !(may_be_infinite && (text == "inf" || text == "-inf"))) {
+    value.refuse(fmt::format("\"{}\" is not a hexadecimal float such as \"0x1.8p+1\"{}",
+                             text.substr(0, kShownOfText), may_be_infinite ? " or \"inf\"" : ""));
   }
-  state.tethers = line.at("tethers").get<std::vector<std::array<std::int32_t, 2>>>();
-  for (const json& r : line.at("responded"))
-    state.responded.push_back({r.at(0), r.at(1), r.at(2) == "outer"});
-  for (const json& group : line.at("groups")) state.groups.push_back(group_from(group));
-  for (const json& d : line.at("draws")) state.draws.push_back({d.at(0), d.at(1), d.at(2), d.at(3)});
-  state.progress = line.at("progress").get<std::map<std::string, std::uint64_t>>();
-  state.counts = line.at("counts").get<std::map<std::string, std::uint64_t>>();
-  state.quantities = line.at("quantities").get<std::map<std::string, HexVector>>();
-  state.observations = line.at("observations").get<std::vector<std::vector<Hex>>>();
+  return text;
+}
+
+HexVector numbers_from(const std::vector<Field>& entries, bool may_be_infinite) {
+  HexVector numbers;
+  for (const Field& entry : entries) numbers.push_back(hex_from(entry, may_be_infinite));
+  return numbers;
+}
+
+HexVector vector_from(const Field& value) {
+  const std::size_t size = value.json().array() == nullptr ? 0 : value.json().array()->size();
+  return numbers_from(value.list_of(size == 2 ? 2 : 3), false);
+}
+
+HexTime time_from(const Field& value, bool may_be_never = false) {
+  const std::vector<Field> parts = value.list_of(2);
+  return {hex_from(parts[0], may_be_never), hex_from(parts[1], false)};
+}
+
+bool limit_from(const Field& value) {
+  return value.word({"inner", "outer"}) == 1;
+}
+
+StateData::Particle particle_from(const Field& value) {
+  value.require_keys({"id", "position", "velocity", "clock"});
+  return {id_from(value.at("id")), vector_from(value.at("position")), vector_from(value.at("velocity")),
+          time_from(value.at("clock"))};
+}
+
+StateData::Responded responded_from(const Field& value) {
+  const std::vector<Field> parts = value.list_of(3);
+  return {id_from(parts[0]), id_from(parts[1]), limit_from(parts[2])};
+}
+
+StateData::Side side_from(const Field& value) {
+  if (value.is_null()) return {};
+  if (value.has("node")) {
+    value.require_keys({"node"});
+    return {static_cast<int>(value.at("node").natural(kMostId)), std::nullopt};
+  }
+  value.require_keys({"particle"});
+  return {std::nullopt, id_from(value.at("particle"))};
+}
+
+StateData::Node node_from(const Field& value) {
+  value.require_keys({"i", "j", "limit", "sides", "masses", "dp"});
+  const std::vector<Field> sides = value.at("sides").list_of(2);
+  const HexVector masses = numbers_from(value.at("masses").list_of(2), true);
+  return {id_from(value.at("i")),        id_from(value.at("j")),
+          limit_from(value.at("limit")), {side_from(sides[0]), side_from(sides[1])},
+          {masses[0], masses[1]},        vector_from(value.at("dp"))};
+}
+
+StateData::Group group_from(const Field& value) {
+  value.require_keys({"members", "mass", "expiry", "birth", "nodes"});
+  StateData::Group group;
+  for (const Field& member : value.at("members").list()) group.members.push_back(id_from(member));
+  group.mass = hex_from(value.at("mass"), true);
+  group.expiry = time_from(value.at("expiry"), true);
+  group.birth = time_from(value.at("birth"));
+  for (const Field& node : value.at("nodes").list()) group.nodes.push_back(node_from(node));
+  return group;
+}
+
+StateData::Draws draws_from(const Field& value) {
+  const std::vector<Field> parts = value.list_of(4);
+  return {static_cast<int>(parts[0].natural(kMostId)), id_from(parts[1]), id_from(parts[2]),
+          static_cast<std::uint32_t>(parts[3].natural(UINT32_MAX))};
+}
+
+std::map<std::string, std::uint64_t> counts_from(const Field& value) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto& [name, count] : value.members()) counts[name] = count.natural();
+  return counts;
+}
+
+std::vector<Hex> observation_from(const Field& value) {
+  std::vector<Hex> observation;
+  for (const Field& entry : value.list()) observation.push_back(entry.text());
+  return observation;
+}
+
+StateData state_from(const Field& line) {
+  line.require_keys({"state", "t", "now", "last_event", "progress_event", "particles", "tethers", "responded",
+                     "groups", "draws", "progress", "counts", "quantities", "observations"},
+                    {"final", "checksum"});
+  StateData state;
+  state.k = line.at("state").natural();
+  state.t = hex_from(line.at("t"), false);
+  state.final = line.has("final") && line.at("final").truth();
+  state.now = time_from(line.at("now"));
+  state.last_event = time_from(line.at("last_event"));
+  state.progress_event = line.at("progress_event").natural();
+  for (const Field& p : line.at("particles").list()) state.particles.push_back(particle_from(p));
+  for (const Field& tether : line.at("tethers").list()) {
+    const std::vector<Field> pair = tether.list_of(2);
+    state.tethers.push_back({id_from(pair[0]), id_from(pair[1])});
+  }
+  for (const Field& r : line.at("responded").list()) state.responded.push_back(responded_from(r));
+  for (const Field& group : line.at("groups").list()) state.groups.push_back(group_from(group));
+  for (const Field& d : line.at("draws").list()) state.draws.push_back(draws_from(d));
+  state.progress = counts_from(line.at("progress"));
+  state.counts = counts_from(line.at("counts"));
+  for (const auto& [name, numbers] : line.at("quantities").members())
+    state.quantities[name] = numbers_from(numbers.list(), true);
+  for (const Field& o : line.at("observations").list()) state.observations.push_back(observation_from(o));
+  return state;
+}
+
+/// Of a million particles: a line of a trace is no file of people.
+constexpr JsonLimits kStateLimits{std::size_t{512} << 20U, 16, 100, 40'000'000};
+
+}  // namespace
+
+std::string write_state(const StateData& state, const Hex& t) {
+  return with_checksum(content_of(state, t));
+}
+
+StateData read_state(std::string_view text, const std::string& file, std::size_t number) {
+  const JsonDocument document = parse_json(text, file, kStateLimits, number);
+  document.problems.throw_if_any();
+  const Field line(document.root, file);
+  StateData state = state_from(line);
+  if (line.has("checksum")) {
+    const bool right = line.at("checksum").text() == checksum_of(content_of(state, state.t));
+    state.checksum = right ? StateData::Checksum::right : StateData::Checksum::wrong;
+  }
   return state;
 }
 

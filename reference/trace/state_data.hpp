@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -52,8 +53,17 @@ struct StateData {
     std::uint32_t used = 0;
   };
 
-  std::uint64_t k = 0;  ///< events so far
-  bool final = false;   ///< written at the end of a run, not because K events had passed
+  /// What a line says of its own integrity.
+  enum class Checksum {
+    absent,  ///< written before there were checksums, or by another program: nothing protects it
+    right,
+    wrong,  ///< the content is not what was written
+  };
+
+  Checksum checksum = Checksum::absent;  ///< found by reading
+  Hex t;                                 ///< of `now` on the scene's clock; found by reading
+  std::uint64_t k = 0;                   ///< events so far
+  bool final = false;                    ///< written at the end of a run, not because K events had passed
   HexTime now, last_event;
   std::uint64_t progress_event = 0;
   std::vector<Particle> particles;
@@ -67,10 +77,14 @@ struct StateData {
   std::vector<std::vector<Hex>> observations;     ///< of clusters, one a sample
 };
 
-/// One line of JSON, without its end; `t` is the exact time of `now` on the scene's clock.
+/// One line of JSON, without its end; `t` is the exact time of `now` on the scene's clock. Its last member is
+/// the checksum of the line without that member.
 std::string write_state(const StateData& state, const Hex& t);
 
-/// Reads what write_state writes. Throws std::runtime_error that says what is missing or of the wrong kind.
-StateData read_state(std::string_view line);
+/// Reads what write_state writes, and nothing else: every key known, every number a hexadecimal float, every
+/// list of its length. The checksum is compared with that of the content as write_state spells it, so that
+/// spaces and the order of keys do not matter. `file` and `number` say where the line stands.
+/// Throws InputError.
+StateData read_state(std::string_view line, const std::string& file = "state", std::size_t number = 1);
 
 }  // namespace tps

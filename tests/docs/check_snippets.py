@@ -4,18 +4,25 @@ In a page, `<!-- snippet: STEM -->` stands before a ```cpp block, the text of do
 markers, and a ```text block with what `docs_snippets eqN` prints. In a ```console block each line that starts with
 `$ tps` is run in the repository's root; the lines under it are what it prints (standard output, then errors). A line
 `…` stands for any lines. `--write` puts the present code and output into the pages instead of comparing.
+
+A page that says `<!-- file: PATH as NAME -->` before a block is a tutorial: it starts in an empty folder. The block is the
+text of PATH, which from there on is NAME in that folder; with `part:` for `file:` the block is a part of that text. From the
+first of these on every `$` line is run, in that folder.
 """
 
 import argparse
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import textwrap
 
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 SNIPPET = re.compile(r"<!-- snippet: (\w+) -->\n\Z")
+FILE = re.compile(r"<!-- (file|part): (\S+) as (\S+) -->\n\Z")
 
 
 def matches(shown, printed):
@@ -30,6 +37,7 @@ class Page:
         self.path, self.arguments = path, arguments
         self.text = path.read_text(encoding="utf-8")
         self.failures, self.compared, self.pieces, self.done = [], 0, [], 0
+        self.folder = None  # of a tutorial
 
     def expect(self, block, what, shown, present):
         self.compared += 1
@@ -41,16 +49,24 @@ class Page:
     def run(self, command):
         environment = dict(os.environ, PATH=f"{self.arguments.tps.parent}:{os.environ['PATH']}")
         result = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=120,
-                                cwd=self.arguments.root, env=environment)
+                                cwd=self.folder.name if self.folder else self.arguments.root, env=environment)
         return result.stdout + result.stderr
 
+    def put_file(self, block, marker):
+        """The block as a file of the tutorial's folder, or as a part of one."""
+        whole, path, name = marker[1] == "file", self.arguments.root / marker[2], marker[3]
+        self.folder = self.folder or tempfile.TemporaryDirectory()
+        shutil.copyfile(path, pathlib.Path(self.folder.name) / name)
+        text = path.read_text(encoding="utf-8")
+        return self.expect(block, f"{marker[2]}", block[2], text if whole or block[2] not in text else block[2])
+
     def console(self, block):
-        """Commands with their output, in turn; anything but `$ tps …` is left as it is."""
+        """Commands with their output, in turn; outside of a tutorial anything but `$ tps …` is left as it is."""
         parts = re.split(r"^(\$ .*\n(?:> .*\n)*)", block[2], flags=re.M)
         body = parts[0]
         for command, output in zip(parts[1::2], parts[2::2]):
             body += command
-            if command.startswith("$ tps"):
+            if command.startswith("$ tps") or self.folder:
                 output = self.expect(block, command.strip(), output, self.run(command[2:].replace("\n> ", "\n")))
             body += output
         return body
@@ -60,7 +76,10 @@ class Page:
         for block in BLOCK.finditer(self.text):
             body = block[2]
             marker = SNIPPET.search(self.text[:block.start()])
-            if block[1] == "cpp" and marker:
+            file = FILE.search(self.text[:block.start()])
+            if file:
+                body = self.put_file(block, file)
+            elif block[1] == "cpp" and marker:
                 stem = marker[1]
                 source = (self.arguments.root / "docs" / "snippets" / f"{stem}.cpp").read_text(encoding="utf-8")
                 code = textwrap.dedent(source.split("  // [snippet]\n")[1])

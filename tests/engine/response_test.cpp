@@ -53,6 +53,45 @@ TEST(Response, AWrongSignLoadsNothingInAGroupedScene) {
   EXPECT_FALSE(simulation.world().coupling->together(0, 1));
 }
 
+/// Three balls on a line: the middle one goes to and fro for ever, faster and faster, in no time at all.
+Scene collapse(double c) {
+  Scene scene = testing::plain_scene();
+  scene.duration = 1e6;
+  testing::block(scene, 0, 0, c);
+  add_particle(scene, 0, {-2, 0, 0}, {1, 0, 0});
+  add_particle(scene, 0, {0, 0, 0}, {.3, 0, 0});
+  add_particle(scene, 0, {4.1, 0, 0}, {-2, 0, 0});
+  return scene;
+}
+
+TEST(BelowRounding, ACollapseIsSeenInEveryScalar) {
+  for (const char* scalar : {"float", "double", "long-double", "quad"}) {
+    for (const double c : {.05, .01, .03}) {
+      const RunSummary s = run_scene(collapse(c), testing::options_for(scalar));
+      EXPECT_GT(s.noise, 0U) << scalar << ' ' << c;
+      EXPECT_GT(s.first_noise, 2U) << scalar << ' ' << c;
+      EXPECT_LE(s.first_noise, s.events) << scalar << ' ' << c;
+    }
+  }
+}
+
+TEST(BelowRounding, HonestCollisionsAreNot) {
+  for (const double c : {1., .9, .5}) {
+    const RunSummary s = run_scene(collapse(c), {});
+    EXPECT_EQ(s.noise, 0U) << c;
+    EXPECT_EQ(s.first_noise, 0U) << c;
+  }
+}
+
+// A wider scalar sees farther: the first collision that it cannot tell comes later.
+TEST(BelowRounding, AWiderScalarSeesMore) {
+  const auto first = [](const char* scalar) {
+    return run_scene(collapse(.05), testing::options_for(scalar)).first_noise;
+  };
+  EXPECT_LT(first("float"), first("double"));
+  EXPECT_LT(first("double"), first("quad"));
+}
+
 TEST(Response, ARevolutionKeepsMomentumAndTakesAngularMomentum) {
   const double theta = 30;
   const double c_revolve = 0.7;

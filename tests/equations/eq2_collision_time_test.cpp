@@ -1,5 +1,7 @@
 #include "reference/equations/eq2_collision_time.hpp"
 
+#include <array>
+
 #include "reference/equations/eq1_distance.hpp"
 #include "tests/equations/every_scalar.hpp"
 
@@ -129,10 +131,31 @@ TEST_F(Eq2Double, SubnormalSpeedsAndLengths) {
   EXPECT_EQ(*block({-3 * tiny, 0}, {1, 0}, tiny).t, 2 * tiny);
 }
 
-// Not mended: beside |r|², L² vanishes below 2^-1074. Scaling cannot bring both into range.
-TEST_F(Eq2Double, ALimitFarBelowTheDistanceReadsTangent) {
-  EXPECT_EQ(block({-1, 0}, {1, 0}, 1e-150).verdict, TimingVerdict::hit);
-  EXPECT_EQ(block({-1, 0}, {1, 0}, 1e-200).verdict, TimingVerdict::tangent);
+// Beside |r|², L² vanishes below 2^-1074, and no scaling brings both into range: the sign of D is that of
+// √a L − |r × v| then.
+TEST_F(Eq2Double, ALimitFarBelowTheDistanceIsHitHeadOn) {
+  const std::array<int, 6> exponents = {-1022, -600, -512, 0, 600, 1000};
+  for (const int of_r : exponents) {
+    for (const int of_L : exponents) {
+      if (of_L > of_r) continue;
+      const double r = std::ldexp(3.0, of_r);
+      const double L = std::ldexp(1.0, of_L);
+      for (const double v : {1.0, 0x1p-900, 0x1p900}) {
+        const CollisionTime<double> at = block({-r, 0}, {v, 0}, L);
+        EXPECT_EQ(at.verdict, TimingVerdict::hit) << of_r << ' ' << of_L;
+        EXPECT_EQ(*at.t, (r - L) / v) << of_r << ' ' << of_L << ' ' << v;
+        if (of_L > of_r - 50) continue;
+        EXPECT_EQ(block({-r, std::ldexp(r, -40)}, {v, 0}, L).verdict, TimingVerdict::miss)
+            << of_r << ' ' << of_L;
+        const double beside = of_L > -1000 ? L / 2 : 0;
+        EXPECT_EQ(block({-r, beside}, {v, 0}, L).verdict, TimingVerdict::hit) << of_r << ' ' << of_L;
+      }
+    }
+  }
+  EXPECT_EQ((block_time<double, 3>({0, 0, 0}, {-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 1e-200).verdict),
+            TimingVerdict::hit);
+  EXPECT_EQ((block_time<double, 3>({0, 0, 0}, {-1, 1e-180, 1e-180}, {0, 0, 0}, {1, 0, 0}, 1e-200).verdict),
+            TimingVerdict::miss);
 }
 
 TEST_F(Eq2Double, GrazesFromAfarAreToldFromMisses) {

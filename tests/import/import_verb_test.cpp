@@ -89,11 +89,12 @@ struct Refused {
 TEST(ImportVerb, SaysWhatIsWrong) {
   const Refused cases[] = {
       {kFour, 3, "/config/ri: found true: random impulses"},
+      {TPS_SOURCE_DIR "/tests/import/data/without_config.json", 3, "config is missing"},
       {kData, 3, "directory"},
       {kData + "none.json", 3, "none.json"},
       {"/dev/null", 3, "/dev/null"},
       {TPS_SOURCE_DIR "/README.md", 3, "README.md:1"},
-      {TPS_SOURCE_DIR "/data/scenes/pair.json", 3, "pair.json:2: unknown key \"tps\""},
+      {TPS_SOURCE_DIR "/data/scenes/pair.json", 3, "pair.json: is a scene"},
       {"", 2, "file"},
       {kThree + " --c-rebound 1.5", 2, R"(--c-rebound is "1.5"; allowed is a number from 0 to 1)"},
       {kThree + " --c-rebound nan", 2, R"(--c-rebound is "nan"; allowed is a number from 0 to 1)"},

@@ -22,7 +22,7 @@ int echo() {
 TEST(ChildProcess, TalksLineByLine) {
   ChildProcess child(echo);
   for (const char* text : {"one", "", "three"}) {
-    ASSERT_TRUE(child.write_line(text));
+    child.write_line(text);
     const ChildProcess::Line line = child.read_line(kLong);
     EXPECT_EQ(line.status, Status::line);
     EXPECT_EQ(line.text, std::string("<") + text + ">");
@@ -53,6 +53,45 @@ TEST(ChildProcess, DoesNotWaitForEver) {
     return 0;
   });
   EXPECT_EQ(sleeps.read_line(std::chrono::milliseconds(20)).status, Status::late);
+}
+
+TEST(ChildProcess, TellsACrashFromAHangThoughADescendantHoldsThePipes) {
+  ChildProcess crashes([]() -> int {
+    if (::fork() == 0) ::pause();
+    std::raise(SIGKILL);
+    return 0;
+  });
+  const ChildProcess::Line line = crashes.read_line(kLong);
+  EXPECT_EQ(line.status, Status::ended);
+  EXPECT_EQ(line.code, 128 + SIGKILL);
+}
+
+TEST(ChildProcess, TakesARequestThatIsLongerThanThePipe) {
+  const std::string text(std::size_t{1} << 19, 'x');
+  ChildProcess child(echo);
+  child.write_line(text);
+  EXPECT_EQ(child.read_line(kLong).text, "<" + text + ">");
+}
+
+TEST(ChildProcess, DoesNotWaitForOneThatReadsNothing) {
+  ChildProcess deaf([] {
+    ::pause();
+    return 0;
+  });
+  for (int n = 0; n < 100; ++n) deaf.write_line(std::string(65536, 'x'));
+  EXPECT_EQ(deaf.read_line(std::chrono::milliseconds(20)).status, Status::late);
+}
+
+TEST(ChildProcess, KeepsTheLastWordsOnStandardError) {
+  ChildProcess talks([] {
+    for (int n = 0; n < 100'000; ++n) std::cerr << "noise " << n << "\n";
+    std::cerr << "the reason\x1b[31m" << std::flush;
+    return 2;
+  });
+  const std::string text = talks.read_line(kLong).text;
+  EXPECT_NE(text.find("exit code 2; its last words on standard error: "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("the reason?[31m")) << text;
+  EXPECT_LT(text.size(), 500U);
 }
 
 TEST(ChildProcess, DoesNotReadForEver) {

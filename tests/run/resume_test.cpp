@@ -220,26 +220,47 @@ bool resumes(const std::string& bytes, std::uint64_t events) {
   }
 }
 
-TEST(Resume, ADamagedStateIsRefusedOrRunsButNeverCrashes) {
+/// The bytes with the last full state damaged somewhere.
+std::string with_damage(std::string bytes, std::mt19937& random, bool heavy) {
+  const std::size_t start = bytes.rfind("\n{\"state\":") + 1;
+  const std::size_t end = bytes.find('\n', start);
+  const std::size_t at = start + 10 + random() % (end - start - 10);
+  if (heavy) return bytes.erase(at, 1 + random() % 40);
+  bytes[at] = "0123456789abcdef\"[]{},:-+.pxn"[random() % 29];
+  return bytes;
+}
+
+TEST(Resume, ADamagedStateIsRefusedOrGoesOnAsIfItWereWhole) {
   const Whole w{busy_scene(), "double", 60};
   const std::string whole = whole_trace(w);
-  const std::size_t start = whole.rfind("\n{\"state\":") + 1;
-  const std::size_t end = whole.find('\n', start);
+  ASSERT_TRUE(resumes(whole, 80));
+  const std::string right = read_bytes(scratch("changed.ndjson"));
+  const std::size_t kept = whole.rfind("\n{\"state\":") + 1;
   std::mt19937 random(7);
   int refused = 0;
-  constexpr int kTries = 300;
+  constexpr int kTries = 600;
   for (int n = 0; n < kTries; ++n) {
-    std::string bytes = whole;
-    const std::size_t at = start + 10 + random() % (end - start - 10);
-    if (n % 3 == 0) {
-      bytes.erase(at, 1 + random() % 40);
+    const std::string bytes = with_damage(whole, random, n % 3 == 0);
+    if (!resumes(bytes, 80)) {
+      ++refused;
     } else {
-      bytes[at] = "0123456789abcdef\"[]{},:-+.pxn"[random() % 29];
+      EXPECT_EQ(read_bytes(scratch("changed.ndjson")).substr(kept), right.substr(kept)) << bytes.substr(kept);
     }
-    refused += resumes(bytes, 80) ? 0 : 1;
   }
-  EXPECT_GT(refused, kTries / 4);
-  EXPECT_LT(refused, kTries);
+  EXPECT_GT(refused, kTries * 9 / 10);
+}
+
+TEST(Resume, AStateWithoutAChecksumMayGoOnDifferentlyButNeverCrashes) {
+  const Whole w{busy_scene(), "double", 60};
+  std::string whole = whole_trace(w);
+  const std::size_t checksum = whole.find(",\"checksum\"", whole.rfind("\n{\"state\":"));
+  whole.erase(checksum, whole.find('}', checksum) - checksum);
+  ASSERT_TRUE(resumes(whole, 80)) << "older files have none";
+  std::mt19937 random(8);
+  int refused = 0;
+  constexpr int kTries = 600;
+  for (int n = 0; n < kTries; ++n) refused += resumes(with_damage(whole, random, n % 3 == 0), 80) ? 0 : 1;
+  EXPECT_GT(refused, kTries / 2);
 }
 
 TEST(Resume, NamesWhatDoesNotFit) {
@@ -264,6 +285,22 @@ TEST(Resume, NamesWhatDoesNotFit) {
   EXPECT_FALSE(resumes(with("\"observations\":[[\"", "\"observations\":[[\"x\",\"y\",\""), 80));
   EXPECT_FALSE(resumes(with("\"id\":3,", "\"id\":-77,"), 80));
   EXPECT_FALSE(resumes(with("\"now\":[\"", "\"now\":[\"nan"), 80));
+  EXPECT_FALSE(resumes(with("\"checksum\":\"crc64:", "\"checksum\":\"crc64:0"), 80));
+}
+
+TEST(Resume, AHeadThatIsNotOursIsRefused) {
+  const std::string whole = whole_trace({heavy_scene(), "double", 20});
+  const auto with = [&](const std::string& old_text, const std::string& new_text) {
+    std::string bytes = whole;
+    return bytes.replace(bytes.find(old_text), old_text.size(), new_text);
+  };
+  EXPECT_FALSE(resumes(with("{\"trace\":1", "{\"trace\":2"), 30));
+  EXPECT_FALSE(resumes(with("{\"trace\":1", "{\"trace\":1,\"trace\":1"), 30));
+  EXPECT_FALSE(resumes(with("\"semantics\":", "\"semantics\":9"), 30));
+  EXPECT_FALSE(resumes(with("\"state_every\":7", "\"state_every\":8"), 30)) << "the checksum of the head";
+  EXPECT_FALSE(resumes(with("\"mass\":1,", "\"mass\":2,"), 30)) << "the checksum of the head";
+  EXPECT_FALSE(resumes(with("\"options\"", "\"optoins\""), 30));
+  EXPECT_TRUE(resumes(with(",\"version\":\"", ",\"version\":\"of another program "), 30));
 }
 
 }  // namespace

@@ -116,6 +116,12 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
   EXPECT_EQ(nearest_name("velocty", {"position", "velocity", "species"}), "velocity");
   EXPECT_EQ(nearest_name("x", {}), "");
+  const std::vector<std::string> keys{"u_A", "u_B", "m_A", "c_retract", "c_revolve", "theta_revolve_deg"};
+  EXPECT_EQ(nearest_name("theta", keys), "theta_revolve_deg") << "a part beats few edits";
+  EXPECT_EQ(nearest_name("revolve", keys), "c_revolve");
+  EXPECT_EQ(nearest_name("theta_revolve_degrees", keys), "theta_revolve_deg");
+  EXPECT_EQ(nearest_name("u_C", keys), "u_A") << "one edit beats a part";
+  EXPECT_EQ(nearest_name("", keys), "u_A");
 }
 
 TEST(InputError, ListsProblemsInTheOrderOfTheFile) {

@@ -114,6 +114,28 @@ Broken flown_off(Trace& trace, std::uint64_t number) {
   return flown_through(trace, number, [](const Place& p) { return is_pull(p.event); });
 }
 
+/// A collision, and another at the same time of two others: both were waiting, so that exact order or, in a
+/// tie, ids decide.
+bool collides_with_a_tie(const Place& place) {
+  if (place.next != &place.event + 1 || place.until_next() > 0) return false;
+  if (!is_collision(place.event) || !is_collision(*place.next)) return false;
+  for (const char* one : {"i", "j"}) {
+    const std::vector<int> body = place.before.body(place.event.at(one));
+    for (const char* other : {"i", "j"}) {
+      if (std::ranges::count(body, place.next->at(other).get<int>()) > 0) return false;
+      if (place.next->at(other) == place.event.at(one)) return false;
+    }
+  }
+  return true;
+}
+
+Broken ties_exchanged(Trace& trace, std::uint64_t number) {
+  return at_event(trace, number, collides_with_a_tie, [&](std::size_t n, const Retold&) {
+    std::swap(trace.lines[n], trace.lines[n + 1]);
+    settle(trace);
+  });
+}
+
 }  // namespace
 
 const std::vector<Mutation>& broken_sequences() {
@@ -121,6 +143,8 @@ const std::vector<Mutation>& broken_sequences() {
   static const std::vector<Mutation> list = {
       {"event_dropped", "a collision is missing; the rest is counted and timed again", earliest,
        event_dropped},
+      {"ties_exchanged", "two events at one time that share nobody come in the other order", order,
+       ties_exchanged},
       {"event_repeated", "an event happens twice", bystanders, event_repeated},
       {"meeting_repeated", "a pair that parts meets again, without an impulse", contact, meeting_repeated},
       {"passed_through", "a pair passes through each other, and nothing else is wrong", bounds,

@@ -29,14 +29,6 @@ void exchange_with_next(Trace& trace, std::size_t line) {
   settle(trace);
 }
 
-bool simultaneous_events_exchanged(Trace& trace, std::uint64_t number) {
-  const auto found = find_event(trace, number, [](const Place& p) {
-    return is_collision(p.event) && next_is_now(p) && is_collision(*p.next) && share_nobody(p);
-  });
-  if (found) exchange_with_next(trace, found->line);
-  return found.has_value();
-}
-
 bool parts(const Json& event) {
   return event.at("kind") == "restitute";
 }
@@ -78,8 +70,6 @@ bool keys_turned_round(Trace& trace, std::uint64_t) {
 
 const std::vector<Legal>& legal_changes() {
   static const std::vector<Legal> list = {
-      {"simultaneous_events_exchanged", "two events at one time that share nobody, in the other order",
-       simultaneous_events_exchanged},
       {"siblings_exchanged", "two nodes of a group below one, in the other order", siblings_exchanged},
       {"keys_turned_round", "the keys of every line in the opposite order", keys_turned_round},
   };

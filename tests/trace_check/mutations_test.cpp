@@ -24,9 +24,14 @@ std::vector<std::string> short_scenes() {
   return names;
 }
 
-/// The lines behind the header, whose scene may spell its decimals in more than one way.
+/// The lines behind the header, whose scene may spell its decimals in more than one way, without the
+/// checksums of states, which a mutation does not keep.
 std::string body_of(const std::string& bytes) {
-  return bytes.substr(bytes.find('\n'));
+  const std::string member = ",\"checksum\":\"crc64:0123456789abcdef\"";
+  std::string body = bytes.substr(bytes.find('\n'));
+  for (std::size_t at = 0; (at = body.find(",\"checksum\":", at)) != std::string::npos;)
+    body.erase(at, member.size());
+  return body;
 }
 
 TEST_P(Mutations, AGoodTraceIsReadAndSettledToItself) {
@@ -69,7 +74,7 @@ TEST_P(Mutations, DifferFromTheOriginalAndKeepTheOrderUnlessTheyBreakIt) {
       if (!may_break_order) {
         EXPECT_TRUE(is_in_order(trace)) << m.name << ' ' << number;
       }
-      if (m.owner == check::Rule::order) {
+      if (m.owner == check::Rule::order && m.name != "ties_exchanged") {
         EXPECT_FALSE(is_in_order(trace)) << m.name << ' ' << number;
       }
     }

@@ -13,19 +13,21 @@ namespace tps::check {
 namespace {
 
 /// Spheres of two sizes in a box, one far-reaching one among them.
-Scene crowd(int count, int dimension) {
+/// In units of 2^length.
+Scene crowd(int count, int dimension, int length = 0) {
   Scene scene;
   scene.dimension = dimension;
   scene.species = {{"small", 1, 0.25, {}}, {"large", 1, 0.5, {}}, {"wall", HUGE_VAL, 4, {}}};
   for (const auto& [a, b, distance] : {std::tuple(0, 0, 0.5), std::tuple(0, 1, 0.75), std::tuple(1, 1, 1.0),
                                        std::tuple(0, 2, 4.25), std::tuple(1, 2, 4.5)}) {
-    scene.pairs.push_back({a, b, BlockingLaw{distance, 1}, std::nullopt});
+    scene.pairs.push_back({a, b, BlockingLaw{std::ldexp(distance, length), 1}, std::nullopt});
   }
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(0, std::pow(count, 1.0 / dimension) * 2);
   for (int n = 0; n < count; ++n) {
     Particle p{n, n == 0 ? 2 : n % 3 == 0 ? 1 : 0, {}, {}};
-    for (int k = 0; k < dimension; ++k) p.position[static_cast<std::size_t>(k)] = place(random);
+    for (int k = 0; k < dimension; ++k)
+      p.position[static_cast<std::size_t>(k)] = std::ldexp(place(random), length);
     scene.particles.push_back(p);
   }
   return scene;
@@ -53,13 +55,13 @@ struct Followed {
   int meetings = 0, missed = 0, asked = 0, looked_at = 0;
 };
 
-Followed follow(int count, int dimension, double speed) {
-  const Scene scene = crowd(count, dimension);
+Followed follow(int count, int dimension, double speed, int length = 0, double start = 0) {
+  const Scene scene = crowd(count, dimension, length);
   Neighbours neighbours(scene);
   std::mt19937_64 random(5);
-  std::normal_distribution<double> normal(0, speed);
+  std::normal_distribution<double> normal(0, std::ldexp(speed, length));
   std::vector<Flying> all;
-  for (const Particle& p : scene.particles) all.push_back({p.position, {}, 0, 0});
+  for (const Particle& p : scene.particles) all.push_back({p.position, {}, start, start});
   const auto turn = [&](int i, double now) {
     Flying& f = all[static_cast<std::size_t>(i)];
     f.position = f.at(now);
@@ -95,10 +97,10 @@ Followed follow(int count, int dimension, double speed) {
       if (std::find(near.begin(), near.end(), j) == near.end()) ++followed.missed;
     }
   };
-  for (int i = 0; i < count; ++i) turn(i, 0);
+  for (int i = 0; i < count; ++i) turn(i, start);
   std::uniform_int_distribution<int> anyone(1, count - 1);
   std::exponential_distribution<double> waiting(count);
-  double now = 0;
+  double now = start;
   for (int event = 0; event < 400; ++event) {
     now += waiting(random);
     while (const auto expired = neighbours.expiry_until(now)) {
@@ -127,6 +129,18 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Crowds,
                          testing::Values(std::tuple(20, 3, 1.0), std::tuple(200, 3, 1.0),
                                          std::tuple(200, 2, 1.0), std::tuple(200, 3, 30.0),
                                          std::tuple(400, 2, 0.01)));
+
+// Lengths near both ends of the exponent, and times so large that a particle crosses its cell in a few
+// roundings of them or less.
+TEST(Neighbours, MissNobodyAtAnyMagnitude) {
+  for (const auto& [length, start] : {std::pair(-1020, 0.), std::pair(-890, 0.), std::pair(-300, 0.),
+                                      std::pair(300, 0.), std::pair(890, 0.), std::pair(1000, 0.),
+                                      std::pair(0, 0x1p44), std::pair(0, 0x1p48), std::pair(0, 0x1p51)}) {
+    const Followed followed = follow(120, 3, start > 0x1p50 ? 4 : 1, length, start);
+    EXPECT_EQ(followed.missed, 0) << length << ' ' << start;
+    EXPECT_GT(followed.meetings, 20) << length << ' ' << start;
+  }
+}
 
 TEST(Neighbours, LookAtAFewWhateverTheirNumber) {
   const Followed few = follow(200, 3, 1);

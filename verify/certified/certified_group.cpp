@@ -80,7 +80,7 @@ class Grouping {
     boundary_ = boundary_ || decision.boundary;
     if (decision.retracts) return collision_impulse(pair, c.c_retract);
     if (sign(dot(pair.w, pair.w)) == Sign::uncertain)
-      refuse("150 digits do not tell the tangential velocity from zero");
+      refuse("2^14 bits do not tell the tangential velocity from zero");
     return revolution_impulse(pair, c.c_revolve, c.theta_revolve_deg);
   }
 
@@ -125,7 +125,7 @@ class Grouping {
 }  // namespace
 
 GroupResponse certified_group(const GroupInput& input) {
-  return Grouping(input).answer();
+  return settled([&] { return Grouping(input).answer(); });
 }
 
 }  // namespace tps::certified

@@ -63,13 +63,17 @@ Response tether(const Lifted& in) {
 std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first) {
   if (op != eval::Op::tether_response || !first.boundary) return std::nullopt;
   const Lifted in(input);
-  const Collision pair = in.pair();
-  if (sign(dot(pair.w, pair.w)) != Sign::positive) return std::nullopt;
-  return tether(in, pair, first.kind == "revolve", true);
+  return settled([&]() -> std::optional<Response> {
+    const Collision pair = in.pair();
+    if (sign(dot(pair.w, pair.w)) != Sign::positive) return std::nullopt;
+    return tether(in, pair, first.kind == "revolve", true);
+  });
 }
 
-Response certified_response(eval::Op op, const eval::Input& input) {
-  const Lifted in(input);
+namespace {
+
+/// At the working precision.
+Response evaluated(eval::Op op, const Lifted& in) {
   Response response;
   switch (op) {
     case eval::Op::apply_impulse:
@@ -92,6 +96,13 @@ Response certified_response(eval::Op op, const eval::Input& input) {
     default:
       throw InputError({{"", 0, "", "the operation has no impulse or velocity to certify"}});
   }
+}
+
+}  // namespace
+
+Response certified_response(eval::Op op, const eval::Input& input) {
+  const Lifted in(input);
+  return settled([&] { return evaluated(op, in); });
 }
 
 }  // namespace tps::certified

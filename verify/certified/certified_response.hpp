@@ -13,13 +13,13 @@
 namespace tps::certified {
 
 /// A real number between two doubles: lo = hi where it is a double and proven so, adjacent doubles where it
-/// is proven not to be one. Where it cannot be told from a double x at 150 digits, x lies strictly between lo
+/// is proven not to be one. Where balls cannot tell it from a double x, x lies strictly between lo
 /// and hi; for x ≠ 0 these are its neighbours. Law: lo ≤ the real number ≤ hi, and lo ≤ nearest ≤ hi.
 struct Enclosure {
   double lo, hi;
   double nearest;  ///< ties to even, infinity beyond the largest double, zero below half the smallest
-  /// Whether `nearest` is proven. If not, the number is within 10^-119 of what went into it from zero, or
-  /// from the middle of two doubles, and is taken to be that.
+  /// Whether `nearest` is proven. If not, 2^14 bits do not tell the number from zero, or from the middle of
+  /// two doubles, and it is taken to be that.
   bool settled = true;
 };
 

@@ -48,19 +48,8 @@ Enclosure between_doubles(const Rational& x) {
   return {-magnitude.hi, -magnitude.lo, -magnitude.nearest};
 }
 
-/// A number of the working precision as a fraction. REQUIRES |x| between 2^-20000 and 2^20000, or 0.
-Rational fraction_of(const Wide& x) {
-  int exponent = 0;
-  const Wide fraction = frexp(x, &exponent);
-  constexpr int digits = std::numeric_limits<Wide>::digits;
-  const Integer mantissa(ldexp(fraction, digits));
-  exponent -= digits;
-  const Integer power = Integer(1) << static_cast<unsigned>(std::abs(exponent));
-  return exponent >= 0 ? Rational(mantissa * power) : Rational(mantissa, power);
-}
-
 /// The double that everything in the interval rounds to. Where its ends round apart it holds zero, or the
-/// midpoint of two doubles; a number that 150 digits cannot tell from these is taken to be it.
+/// midpoint of two doubles; a number that the working precision cannot tell from these is taken to be it.
 double nearest(const Enclosure& lo, const Enclosure& hi) {
   if (lo.nearest == hi.nearest) return lo.nearest;
   if (lo.lo < 0 && hi.hi > 0) return 0;
@@ -73,10 +62,12 @@ double nearest(const Enclosure& lo, const Enclosure& hi) {
 
 Enclosure enclosure(const Real& x) {
   if (x.rational() != nullptr) return between_doubles(*x.rational());
-  const Interval interval = x.interval();
-  const Enclosure lo = between_doubles(fraction_of(interval.lo));
-  const Enclosure hi = between_doubles(fraction_of(interval.hi));
-  return {lo.lo, hi.hi, nearest(lo, hi), lo.nearest == hi.nearest};
+  const Ball::Ends ends = x.ball().ends();
+  const Enclosure lo = between_doubles(ends.lo);
+  const Enclosure hi = between_doubles(ends.hi);
+  const bool settled = lo.nearest == hi.nearest;
+  if (!settled) WorkingPrecision::doubt();
+  return {lo.lo, hi.hi, nearest(lo, hi), settled};
 }
 
 EnclosedVector enclosure(const RealVector& x) {

@@ -6,7 +6,8 @@
 
 namespace tps::certified {
 
-/// The doubles around a real number, and the nearest one.
+/// The doubles around a real number, and the nearest one. Where the working precision does not tell the
+/// nearest, this is a doubt of it.
 Enclosure enclosure(const Real& x);
 
 EnclosedVector enclosure(const RealVector& x);

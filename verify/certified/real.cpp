@@ -1,7 +1,6 @@
 #include "verify/certified/real.hpp"
 
-#include <algorithm>
-#include <boost/math/constants/constants.hpp>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,54 +14,74 @@ bool too_large(const Rational& x) {
   return (n != 0 && msb(n) > kMaxBits) || msb(denominator(x)) > kMaxBits;
 }
 
-Interval widened(const Wide& lo, const Wide& hi) {
-  static const Wide margin = ldexp(Wide(1), -400);
-  return {lo - abs(lo) * margin, hi + abs(hi) * margin};
-}
-
-/// A value computed by the library to a few units in the last place.
-Interval around(const Wide& x) {
-  return widened(x, x);
-}
-
-Interval enclosed(const Rational& x) {
-  return around(Wide(numerator(x)) / Wide(denominator(x)));
-}
-
-Interval hull(const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
-  return widened(std::min({a, b, c, d}), std::max({a, b, c, d}));
-}
-
-template <typename RationalOperation, typename IntervalOperation>
-Real combined(const Real& x, const Real& y, RationalOperation exactly, IntervalOperation outward) {
-  if (x.rational() != nullptr && y.rational() != nullptr) return exactly(*x.rational(), *y.rational());
-  return outward(x.interval(), y.interval());
+Ball ball_of(const Surd& x) {
+  return Ball(x.a) + Ball(x.b) * sqrt(Ball(x.D));
 }
 
 bool is_zero(const Real& x) {
   return x.rational() != nullptr && *x.rational() == 0;
 }
 
-std::optional<Integer> integer_root(const Integer& x) {
-  const Integer root = sqrt(x);
-  if (root * root != x) return std::nullopt;
-  return root;
+/// Both over one root, where they have it in common.
+std::optional<std::pair<Surd, Surd>> over_one_root(const Real& x, const Real& y) {
+  if (x.surd() == nullptr || y.surd() == nullptr) return std::nullopt;
+  const std::optional<Surd> second = over_root(*y.surd(), x.surd()->D);
+  if (!second) return std::nullopt;
+  return std::pair(*x.surd(), *second);
 }
 
-std::optional<Rational> rational_root(const Rational& x) {
-  const std::optional<Integer> n = integer_root(numerator(x));
-  if (!n) return std::nullopt;
-  const std::optional<Integer> d = integer_root(denominator(x));
-  if (!d) return std::nullopt;
-  return Rational(*n, *d);
+Real scaled(const Surd& x, const Rational& factor) {
+  return Surd{x.a * factor, x.b * factor, x.D};
+}
+
+/// The q-th root of a positive integer, where it is one.
+std::optional<Integer> integer_root(const Integer& x, unsigned q) {
+  Integer lo = 1, hi = (Integer(1) << (static_cast<unsigned>(msb(x)) / q + 1));
+  while (lo < hi) {  // the largest whose power is not above x
+    const Integer middle = (lo + hi + 1) / 2;
+    if (pow(middle, q) <= x) {
+      lo = middle;
+    } else {
+      hi = middle - 1;
+    }
+  }
+  if (pow(lo, q) != x) return std::nullopt;
+  return lo;
+}
+
+/// The q-th root of a double in (0, 1], where it is rational.
+std::optional<Rational> double_root(double c, unsigned q) {
+  int exponent = 0;
+  Integer odd(static_cast<std::int64_t>(std::ldexp(std::frexp(c, &exponent), 53)));
+  exponent -= 53;
+  const auto twos = static_cast<unsigned>(lsb(odd));
+  odd >>= twos;
+  exponent += static_cast<int>(twos);
+  if (exponent % static_cast<int>(q) != 0) return std::nullopt;
+  const std::optional<Integer> root = integer_root(odd, q);
+  if (!root) return std::nullopt;
+  const int power = exponent / static_cast<int>(q);
+  const Integer two_power = Integer(1) << static_cast<unsigned>(std::abs(power));
+  return power >= 0 ? Rational(*root * two_power) : Rational(*root, two_power);
+}
+
+Rational whole_power(const Rational& x, unsigned n) {
+  return Rational(pow(numerator(x), n), pow(denominator(x), n));
 }
 
 }  // namespace
 
 Real::Real(Rational x) : value_(std::move(x)) {
   const Rational& kept = std::get<Rational>(value_);
-  if (too_large(kept)) value_ = enclosed(kept);
+  if (too_large(kept)) value_ = Ball(kept);
 }
+
+Real::Real(Surd x) : value_(std::move(x)) {
+  const Surd& kept = std::get<Surd>(value_);
+  if (too_large(kept.a) || too_large(kept.b) || too_large(kept.D)) value_ = ball_of(kept);
+}
+
+Real::Real(SurdOrRational x) : Real(std::visit([](auto& exactly) { return Real(std::move(exactly)); }, x)) {}
 
 Real Real::of(double x) {
   int exponent = 0;
@@ -72,17 +91,21 @@ Real Real::of(double x) {
   return exponent >= 0 ? Rational(mantissa * power) : Rational(mantissa, power);
 }
 
-Interval Real::interval() const {
-  const Rational* x = rational();
-  return x != nullptr ? enclosed(*x) : std::get<Interval>(value_);
+Ball Real::ball() const {
+  if (const Rational* x = rational()) return Ball(*x);
+  if (const Surd* x = surd()) return ball_of(*x);
+  return std::get<Ball>(value_);
 }
 
 Real operator+(const Real& x, const Real& y) {
   if (is_zero(x)) return y;
   if (is_zero(y)) return x;
-  return combined(
-      x, y, [](const Rational& a, const Rational& b) { return Real(Rational(a + b)); },
-      [](const Interval& a, const Interval& b) { return Real(widened(a.lo + b.lo, a.hi + b.hi)); });
+  if (x.rational() != nullptr && y.rational() != nullptr) return Rational(*x.rational() + *y.rational());
+  if (x.surd() != nullptr && y.rational() != nullptr)
+    return Surd{x.surd()->a + *y.rational(), x.surd()->b, x.surd()->D};
+  if (x.rational() != nullptr && y.surd() != nullptr) return y + x;
+  if (const auto both = over_one_root(x, y)) return sum(both->first, both->second);
+  return x.ball() + y.ball();
 }
 
 Real operator-(const Real& x, const Real& y) {
@@ -91,56 +114,76 @@ Real operator-(const Real& x, const Real& y) {
 
 Real operator*(const Real& x, const Real& y) {
   if (is_zero(x) || is_zero(y)) return Real(0);
-  return combined(
-      x, y, [](const Rational& a, const Rational& b) { return Real(Rational(a * b)); },
-      [](const Interval& a, const Interval& b) {
-        return Real(hull(a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi));
-      });
+  if (x.rational() != nullptr && y.rational() != nullptr) return Rational(*x.rational() * *y.rational());
+  if (x.surd() != nullptr && y.rational() != nullptr) return scaled(*x.surd(), *y.rational());
+  if (x.rational() != nullptr && y.surd() != nullptr) return scaled(*y.surd(), *x.rational());
+  if (const auto both = over_one_root(x, y)) return product(both->first, both->second);
+  return x.ball() * y.ball();
 }
 
 Real operator/(const Real& x, const Real& y) {
   if (is_zero(x)) return Real(0);
-  return combined(
-      x, y, [](const Rational& a, const Rational& b) { return Real(Rational(a / b)); },
-      [](const Interval& a, const Interval& b) {
-        return Real(hull(a.lo / b.lo, a.lo / b.hi, a.hi / b.lo, a.hi / b.hi));
-      });
+  if (y.rational() != nullptr) return x * Real(Rational(1 / *y.rational()));
+  if (y.surd() != nullptr) return x * Real(inverse(*y.surd()));
+  return x.ball() / y.ball();
 }
 
 Real sqrt(const Real& x) {
-  if (x.rational() != nullptr) {
-    if (const std::optional<Rational> root = rational_root(*x.rational())) return *root;
+  if (const Rational* exactly = x.rational()) {
+    if (const std::optional<Rational> root = rational_root(*exactly)) return *root;
+    return Surd{0, 1, *exactly};
   }
-  const Interval inside = x.interval();
-  const auto root = [](const Wide& end) { return end > 0 ? Wide(sqrt(end)) : Wide(0); };
-  return widened(root(inside.lo), root(inside.hi));
+  if (x.surd() != nullptr && sign(*x.surd()) == Sign::positive) {
+    if (const std::optional<SurdOrRational> root = root_within(*x.surd())) return *root;
+  }
+  return sqrt(x.ball());
 }
 
 Sign sign(const Real& x) {
-  if (const Rational* exactly = x.rational()) {
+  if (const Rational* exactly = x.rational())
     return *exactly == 0 ? Sign::zero : *exactly > 0 ? Sign::positive : Sign::negative;
-  }
-  const Interval inside = x.interval();
-  if (inside.lo > 0) return Sign::positive;
-  if (inside.hi < 0) return Sign::negative;
-  return Sign::uncertain;
+  if (const Surd* exactly = x.surd()) return sign(*exactly);
+  return x.ball().sign();
 }
 
 Real cos_squared_degrees(double theta_deg) {
-  if (theta_deg == 30) return Rational(3, 4);
-  if (theta_deg == 45) return Rational(1, 2);
-  if (theta_deg == 60) return Rational(1, 4);
-  const Wide half_turn = boost::math::constants::pi<Wide>();
-  // Near 90° the cosine is the sine of the small complement, which is exact in degrees.
-  const Wide cosine = theta_deg > 45 ? Wide(sin((Wide(90) - Wide(theta_deg)) * half_turn / 180))
-                                     : Wide(cos(Wide(theta_deg) * half_turn / 180));
-  return around(cosine * cosine);
+  // cos²θ = (1 + cos 2θ)/2 = a + b√D.
+  struct Exact {
+    double theta;
+    Rational a, b;
+    int D;
+  };
+  static const std::array<Exact, 11> table{{{15, {1, 2}, {1, 4}, 3},
+                                            {18, {5, 8}, {1, 8}, 5},
+                                            {22.5, {1, 2}, {1, 4}, 2},
+                                            {30, {3, 4}, 0, 2},
+                                            {36, {3, 8}, {1, 8}, 5},
+                                            {45, {1, 2}, 0, 2},
+                                            {54, {5, 8}, {-1, 8}, 5},
+                                            {60, {1, 4}, 0, 2},
+                                            {67.5, {1, 2}, {-1, 4}, 2},
+                                            {72, {3, 8}, {-1, 8}, 5},
+                                            {75, {1, 2}, {-1, 4}, 3}}};
+  for (const Exact& known : table) {
+    if (known.theta == theta_deg) return simplified(known.a, known.b, known.D);
+  }
+  return cos_squared_pi((Real::of(theta_deg) / Real(180)).ball());
 }
 
 Real squared_speed_ratio(double c, double theta_deg) {
   if (c == 0 || c == 1) return Real(static_cast<int>(c));
-  if (theta_deg == 45) return sqrt(Real::of(c));
-  return around(pow(Wide(c), Wide(theta_deg) / 90));
+  // c^(p/q) of a double in (0, 1) is a rational, or the root of one, where its q-th or (q/2)-th root is
+  // rational. A double's exponent is below 1100, and so is each q that can divide it.
+  const Real exponent = Real::of(theta_deg) / Real(90);
+  if (exponent.rational() != nullptr && denominator(*exponent.rational()) < 2200) {
+    const auto p = static_cast<unsigned>(numerator(*exponent.rational()));
+    const auto q = static_cast<unsigned>(denominator(*exponent.rational()));
+    if (const auto root = double_root(c, q)) return whole_power(*root, p);
+    if (q % 2 == 0) {
+      if (const auto root = double_root(c, q / 2)) return sqrt(Real(whole_power(*root, p)));
+    }
+  }
+  return pow(Real::of(c).ball(), exponent.ball());
 }
 
 RealVector lifted(const std::vector<double>& x) {

@@ -22,9 +22,11 @@ RealVector collision_impulse(const Collision& pair, double c) {
 RealVector revolution_impulse(const Collision& pair, double c_revolve, double theta_deg) {
   const Real cos_squared = cos_squared_degrees(theta_deg);
   const Real after_squared = squared_speed_ratio(c_revolve, theta_deg) * dot(pair.v, pair.v);  // |v'|²
-  const Real across = sqrt(after_squared * cos_squared / dot(pair.w, pair.w));
-  const Real along = sqrt(after_squared * (Real(1) - cos_squared) / pair.rr);
-  return pair.mu * (pair.v - across * pair.w + along * pair.r);
+  const Real ww = dot(pair.w, pair.w);
+  const Real across = sqrt(after_squared * cos_squared / ww);
+  // One root of a ratio, not two: where w and tan θ |w| û cancel in a component, they do so exactly.
+  const Real slope = sqrt((Real(1) - cos_squared) / cos_squared * (ww / pair.rr));
+  return pair.mu * (pair.v - across * (pair.w - slope * pair.r));
 }
 
 TetherDecision tether_decision(const Collision& pair, double c_retract, double theta_deg) {

@@ -28,7 +28,7 @@ RealVector revolution_impulse(const Collision& pair, double c_revolve, double th
 /// Which of the two a tethered pair does: |c_retract v_n| > tan θ |v_ŵ| or v_ŵ = 0 retracts.
 struct TetherDecision {
   bool retracts;
-  bool boundary;  ///< equality, or not told from it at 150 digits
+  bool boundary;  ///< equality, or not told from it at the working precision
 };
 TetherDecision tether_decision(const Collision& pair, double c_retract, double theta_deg);
 

@@ -1,14 +1,16 @@
 // tps check
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 
+#include "reference/process/interrupt.hpp"
 #include "reference/trace/output.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
 #include "verify/cli/progress.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/trace_check/check.hpp"
@@ -16,12 +18,6 @@
 
 namespace tps::cli {
 namespace {
-
-std::atomic<bool> check_interrupted{false};
-
-extern "C" void note_check_interrupt(int) {
-  check_interrupted.store(true);
-}
 
 struct CheckArguments {
   std::string trace;
@@ -32,16 +28,10 @@ struct CheckArguments {
   check::CheckOptions options;
 };
 
-std::string positive_factor(std::string& text) {
-  double factor = 0;
-  if (CLI::detail::lexical_cast(text, factor) && factor > 0 && factor < 1e9) return {};
-  return "'" + text + "' is not a factor; allowed are numbers above 0 and below 1e9";
-}
-
 void write_witness(const std::string& path, const check::CheckReport& report) {
   const std::string cases = check::witness_cases(report);
   if (cases.empty()) {
-    fmt::print(stderr, "tps: no witness: no violation is a step of one operation\n");
+    say("tps: no witness: no violation is a step of one operation\n");
     return;
   }
   Output out(path);
@@ -59,13 +49,18 @@ check::CheckReport judged(CheckArguments& a) {
   a.options.progress = [&](const check::CheckOptions::Progress& p) {
     progress.update({static_cast<double>(p.bytes) / kMega, whole, p.events});
   };
+  const interrupt::GoodOrder good_order;
   return check::check_trace(a.trace, a.options);
 }
 
 int run_check(CheckArguments& a) {
-  std::signal(SIGINT, note_check_interrupt);
-  std::signal(SIGTERM, note_check_interrupt);
-  a.options.interrupt = &check_interrupted;
+  NamedFiles()
+      .reads("trace", a.trace)
+      .reads("--scene", a.options.scene)
+      .writes("-o", a.output)
+      .writes("--witness", a.witness)
+      .require_distinct();
+  a.options.interrupt = &interrupt::flag();
   const check::CheckReport report = judged(a);
   const std::string text = a.format == "json"    ? check::report_json(report)
                            : a.format == "junit" ? check::report_junit(report)
@@ -87,9 +82,12 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option("--scene", a->options.scene,
                    "The scene that the trace has to be of (a minimal trace may lack its own)");
   verb->add_option("--tolerance", a->options.tolerance, "Multiplies every derived bound")
-      ->check(CLI::Validator(positive_factor, "FACTOR"))
+      ->check(number_above_zero(1e9, "a factor"))
       ->capture_default_str();
+  verb->add_flag("--trust-draws", a->options.trust_draws,
+                 "Take recorded draws as given instead of asking the generator of the scene's seed for them");
   verb->add_option("--max-reports", a->options.max_reports, "Findings shown in full, for each rule")
+      ->check(integer_from(0, "a number of findings"))
       ->capture_default_str();
   verb->add_option("--format", a->format)
       ->check(CLI::IsMember({"text", "json", "junit"}))

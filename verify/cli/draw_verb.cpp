@@ -1,8 +1,11 @@
 // tps draw
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "reference/run/snapshot.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/draw/draw_svg.hpp"
@@ -22,13 +25,15 @@ void add_draw(CLI::App& app, int&) {
   verb->add_option("file", a->trace, "Trace, checkpoint or scene file")->required();
   verb->add_option("-o,--output", a->output, "Write the picture here")->capture_default_str();
   verb->add_option("--at", a->at,
-                   "The last full state up to this time since the start (default: the last one)");
+                   "The last full state up to this time since the start (default: the last one)")
+      ->check(number_from(0, HUGE_VAL, "a time"));
   verb->add_option("--size", a->size, "Width in pixels")
-      ->check(CLI::Range(64.0, 16384.0))
+      ->check(number_from(64, 16384, "a width"))
       ->capture_default_str();
   verb->footer(
       "Example: tps run data/scenes/terminal.json -o terminal.ndjson && tps draw terminal.ndjson -o end.svg");
   verb->callback([a] {
+    NamedFiles().reads("file", a->trace).writes("-o", a->output).require_distinct();
     const Snapshot snapshot = read_snapshot(a->trace, a->at);
     DrawOptions options;
     options.size = a->size;

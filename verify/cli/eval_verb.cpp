@@ -7,6 +7,7 @@
 
 #include "reference/scene/nearest_name.hpp"
 #include "verify/certified/why.hpp"
+#include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/eval/evaluate.hpp"
@@ -127,6 +128,7 @@ void add_eval(CLI::App& app, int&) {
       "block_time, tether_time, order: the certified answer beside the computed one, and what settled it");
   verb->footer(eval_footer());
   verb->callback([a] {
+    NamedFiles().reads("--in", a->in).require_distinct();
     const protocol::Compound* compound = protocol::find_compound(a->op);
     if (compound != nullptr) return eval_compound(*a, *compound);
     eval_equation(*a, operation_named(a->op));

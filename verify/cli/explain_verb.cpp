@@ -7,6 +7,9 @@
 
 #include "reference/run/explain.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
+#include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 
@@ -16,14 +19,15 @@ namespace {
 std::string explain_text(const SceneExplanation& e) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "scene      {}\n", e.title.empty() ? "untitled" : e.title);
+  fmt::format_to(out, "scene      {}\n", e.title.empty() ? "untitled" : printable(e.title));
   fmt::format_to(out, "particles  {} in {}-D", e.particles, e.dimension);
-  for (const SceneExplanation::Count& s : e.species) fmt::format_to(out, ", {} {}", s.count, s.name);
+  for (const SceneExplanation::Count& s : e.species)
+    fmt::format_to(out, ", {} {}", s.count, printable(s.name));
   fmt::format_to(out, "\npairs      {} of {} interact\n", e.interacting_pairs, e.all_pairs);
   for (const EffectCall& effect : e.effects) {
     if (effect.because.empty()) continue;
     fmt::format_to(out, "\n{}: {}\n", effect.name, effect.what);
-    fmt::format_to(out, "  because  {}\n", fmt::join(effect.because, ", "));
+    fmt::format_to(out, "  because  {}\n", printable(fmt::format("{}", fmt::join(effect.because, ", "))));
     fmt::format_to(out, "  cost     {}\n", effect.cost);
   }
   fmt::format_to(out, "\nnot simulated (no state, no event):\n");
@@ -49,7 +53,7 @@ std::string explain_json(const SceneExplanation& e) {
                                  {"because", effect.because},
                                  {"cost", effect.cost}});
   }
-  return result.dump(2) + "\n";
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace
@@ -66,6 +70,7 @@ void add_explain(CLI::App& app, int&) {
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->footer("Example: tps explain data/scenes/terminal.json");
   verb->callback([a] {
+    NamedFiles().reads("scene", a->scene).require_distinct();
     const SceneExplanation explanation = explain(read_scene_file(a->scene));
     write_result("-", a->format == "json" ? explain_json(explanation) : explain_text(explanation));
   });

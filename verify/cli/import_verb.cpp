@@ -7,7 +7,11 @@
 #include <utility>
 
 #include "reference/scene/builders/builder.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/printable.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/import/arslab_tps.hpp"
@@ -54,12 +58,14 @@ void add_import(CLI::App& app, int&) {
       "What is assumed or dropped is said on standard error.\n"
       "Example: tps import config.json -o scene.json && tps run scene.json --scalar float");
   verb->callback([a] {
+    NamedFiles().reads("file", a->file).writes("-o", a->output).require_distinct();
+    refuse_other_kinds_of_file(a->file, "a scenario of the program ARSLab_TPS", {FileKind::arslab_tps});
     JsonDocument document =
         parse_json_file(a->file, "a scenario of this size has too many particles for one run: use fewer",
                         arslab::import_limits);
     const arslab::ImportedScene imported = arslab::import_scenario(std::move(document), a->options);
     write_result(a->output, write_scene(imported.scene, SceneStyle::pretty));
-    for (const std::string& note : imported.notes) fmt::print(stderr, "tps: note: {}\n", note);
+    for (const std::string& note : imported.notes) say("tps: note: {}\n", printable(note));
   });
 }
 

@@ -3,13 +3,19 @@
 
 #include <csignal>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 
+#include "reference/process/descriptors.hpp"
+#include "reference/process/interrupt.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
 #include "reference/version.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 
 namespace {
@@ -27,20 +33,27 @@ std::string version_text() {
 
 constexpr const char* kFooter =
     R"(Exit codes: 0 done, 1 a check found a violation, 2 usage, 3 bad input data, 4 another program
-failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 70 an error of ours,
-130 interrupted.
+failed, 5 undecided, 6 the run stalled, 7 the output could not be written, 8 the run left the range
+of its scalar, 70 an error of ours, 130 interrupted.
 Example: tps run data/scenes/three-body.json)";
 
 int report(const char* what, int exit_code) {
-  fmt::print(stderr, "tps: {}\n", what);
+  tps::cli::say("tps: {}\n", tps::printable_lines(what));
   return exit_code;
 }
 
-}  // namespace
+/// What CLI11 says: help and the like on standard output, errors of usage on the other.
+int answer_usage(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out, err;  // what is wrong with a command line quotes it
+  const bool done = app.exit(error, out, err) == 0;
+  tps::cli::say("{}", tps::printable_lines(err.str()));
+  if (!done) return tps::cli::kUsage;
+  std::cout << out.str() << std::flush;
+  return std::cout ? tps::cli::kDone
+                   : report("standard output: cannot write the text", tps::cli::kOutputFailed);
+}
 
-int main(int argc, char** argv) {
-  // A reader that goes away is an error of writing, reported like any other.
-  std::signal(SIGPIPE, SIG_IGN);
+int run(int argc, char** argv) {
   int exit_code = tps::cli::kDone;
   CLI::App app("Reference implementation and oracle of the tethered particle system.", "tps");
   app.require_subcommand(1);
@@ -56,12 +69,14 @@ int main(int argc, char** argv) {
   tps::cli::add_eval(app, exit_code);
   tps::cli::add_vectors(app, exit_code);
   tps::cli::add_serve(app, exit_code);
-  tps::cli::add_properties(app, exit_code);
+  tps::cli::add_properties(app, exit_code, tps::cli::dashes_in(argc, argv));
   try {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? tps::cli::kDone : tps::cli::kUsage;
+    return answer_usage(app, error);
+  } catch (const tps::interrupt::Interrupted&) {
+    return report("interrupted", tps::cli::kInterrupted);
   } catch (const tps::InputError& error) {
     return report(error.what(), tps::cli::kBadInput);
   } catch (const tps::OutputError& error) {
@@ -72,4 +87,16 @@ int main(int argc, char** argv) {
     return report((std::string("internal error, please report it: ") + error.what()).c_str(),
                   tps::cli::kInternal);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tps::occupy_standard_descriptors();
+  // A reader that goes away and a file that may not grow are errors of writing, reported like any other.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  tps::interrupt::install("tps");
+  const int exit_code = run(argc, argv);
+  return tps::interrupt::requested() ? tps::cli::kInterrupted : exit_code;
 }

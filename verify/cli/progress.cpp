@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "verify/cli/say.hpp"
+
 namespace tps::cli {
 namespace {
 
@@ -25,7 +27,7 @@ ProgressReport::ProgressReport(bool quiet, std::string quantity)
     : quiet_(quiet), quantity_(std::move(quantity)), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressReport::~ProgressReport() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) say("\r\033[K");
 }
 
 void ProgressReport::update(const RunOptions::Progress& progress) {
@@ -53,10 +55,10 @@ void ProgressReport::update(const RunOptions::Progress& progress) {
     text = fmt::format("{}{:3.0f} %  {} of {:.6g}  {}", bar, 100 * part, text, progress.duration, left);
   }
   if (terminal_) {
-    fmt::print(stderr, "\r{}\033[K", text);
+    say("\r{}\033[K", text);
     drawn_ = true;
   } else {
-    fmt::print(stderr, "{}\n", text);
+    say("{}\n", text);
   }
   std::fflush(stderr);
 }

@@ -1,9 +1,9 @@
 // tps properties
 #include <fmt/format.h>
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
-#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -14,8 +14,14 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
+#include "reference/process/interrupt.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/trace/output.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
+#include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 
@@ -26,7 +32,9 @@ using namespace tps::properties;
 
 constexpr const char* kPropertiesFooter =
     R"(A law is judged by the unit roundoff of the implementation: hello's "bits", the table's, or --bits.
-Exit codes: 0 every law held, 1 a law is broken, 4 the implementation crashed, hung or broke the
+A law that says bitwise holds to rounding where answers differ by no more than the errors that its operation may
+make: that is said, and fails with --bitwise only. A question that has an answer must not be refused.
+Exit codes: 0 every law held, 1 a law is broken or a question refused, 4 the implementation crashed, hung or broke the
 protocol, 5 no law was met by any case, 130 interrupted.
 Examples: tps properties --minutes 5
           tps properties --law 'Eq4Laws.*' -- tps serve
@@ -48,12 +56,11 @@ struct PropertiesArguments {
   std::vector<std::string> replayed;
   std::string format = "text";
   bool quiet = false;
+  bool bitwise = false;
   std::vector<std::string> words;
 
   bool is_foreign() const { return !library.empty() || !words.empty(); }
 };
-
-std::atomic<bool> exploration_interrupted{false};
 
 std::unique_ptr<Implementation> subject_of(const PropertiesArguments& a) {
   if (!a.library.empty() && !a.words.empty())
@@ -74,6 +81,7 @@ Plan plan_of(const PropertiesArguments& a) {
   if (a.seed) plan.seed = *a.seed;
   if (!a.seed && a.minutes > 0) plan.seed = std::random_device()();
   plan.first = a.first;
+  plan.bitwise = a.bitwise;
   plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases;
   return plan;
 }
@@ -87,9 +95,8 @@ class RoundsOnStderr {
     const auto now = std::chrono::steady_clock::now();
     if (quiet_ || now < next_) return;
     next_ = now + std::chrono::seconds(5);
-    fmt::print(stderr, "tps: {} laws to case {} of seed {}, {} cases held, {} broken\n",
-               exploration.laws.size(), exploration.next, exploration.plan.seed, exploration.held(),
-               exploration.findings().size());
+    say("tps: {} laws to case {} of seed {}, {} cases held, {} broken\n", exploration.laws.size(),
+        exploration.next, exploration.plan.seed, exploration.held(), exploration.findings().size());
   }
 
  private:
@@ -97,12 +104,20 @@ class RoundsOnStderr {
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(5);
 };
 
-void append(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::app | std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    throw OutputError(fmt::format("cannot append to {}; name another file with --regressions", path));
+/// Where known answers go; empty for nowhere.
+std::string known_answers_path(const PropertiesArguments& a) {
+  return a.known_answers.empty() && a.is_foreign() ? "broken-laws.jsonl" : a.known_answers;
+}
+
+/// What is replayed is not written.
+void require_distinct_files(const PropertiesArguments& a) {
+  NamedFiles files;
+  files.reads("--library", a.library);
+  for (const std::string& path : a.replayed) files.reads("--replay", path);
+  if (!a.words.empty() && a.words[0].find('/') != std::string::npos) files.reads("command", a.words[0]);
+  if (a.replayed.empty() && !a.list)
+    files.writes("-o", known_answers_path(a)).writes("--regressions", a.regressions);
+  files.require_distinct();
 }
 
 /// Findings as files: for people with other programs, and for our own tests.
@@ -110,20 +125,21 @@ void keep(const PropertiesArguments& a, const Exploration& exploration) {
   const std::vector<const Finding*> findings = exploration.findings();
   if (findings.empty()) return;
   const std::string known = known_answer_file(findings, exploration.plan.seed);
-  const std::string path = a.known_answers.empty() && a.is_foreign() ? "broken-laws.jsonl" : a.known_answers;
+  const std::string path = known_answers_path(a);
   if (!path.empty() && !known.empty()) {
     write_result(path, known);
-    fmt::print(stderr, "tps: known answers to the questions of broken laws: {}\n", path);
+    say("tps: known answers to the questions of broken laws: {}\n", path);
   }
   if (a.regressions.empty()) return;
-  for (const Finding* finding : findings)
-    append(a.regressions, regression_line(*finding, exploration.subject));
-  fmt::print(stderr, "tps: cases of broken laws: {}; tps properties --replay {} asks them again\n",
-             a.regressions, a.regressions);
+  Output regressions(a.regressions, Output::Append::at_end);
+  for (const Finding* finding : findings) regressions.write(regression_line(*finding, exploration.subject));
+  regressions.close();
+  say("tps: cases of broken laws: {}; tps properties --replay {} asks them again\n", a.regressions,
+      a.regressions);
 }
 
 int exit_code_of(const Exploration& exploration) {
-  if (exploration_interrupted) return kInterrupted;
+  if (interrupt::requested()) return kInterrupted;
   int code = exploration.held() > 0 ? kDone : kUndecided;
   for (const Finding* finding : exploration.findings()) {
     if (finding->outcome.kind == properties::Outcome::Kind::failed) return kOtherProgram;
@@ -132,81 +148,104 @@ int exit_code_of(const Exploration& exploration) {
   return code;
 }
 
+void say_given_up(const Implementation& subject) {
+  const std::string why = subject.given_up();
+  if (!why.empty()) say("tps: {}: {}; what follows was not asked\n", subject.name(), why);
+}
+
 int explore_laws(const PropertiesArguments& a) {
   const Plan plan = plan_of(a);
   const auto subject = subject_of(a);
-  std::signal(SIGINT, [](int) { exploration_interrupted = true; });
-  std::signal(SIGTERM, [](int) { exploration_interrupted = true; });
+  const interrupt::GoodOrder good_order;
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(a.minutes * 60);
   const auto stop = [&] {
-    return exploration_interrupted || (a.minutes > 0 && std::chrono::steady_clock::now() > deadline);
+    return interrupt::requested() || (a.minutes > 0 && std::chrono::steady_clock::now() > deadline);
   };
-  if (!a.quiet && a.minutes > 0)
-    fmt::print(stderr, "tps: seed {}, from case {} of each law\n", plan.seed, plan.first);
+  if (!a.quiet && a.minutes > 0) say("tps: seed {}, from case {} of each law\n", plan.seed, plan.first);
   const Exploration exploration = explore(*subject, plan, stop, RoundsOnStderr(a.quiet));
   write_result("-", a.format == "json" ? exploration_json(exploration) : exploration_text(exploration));
   keep(a, exploration);
+  say_given_up(*subject);
   return exit_code_of(exploration);
 }
 
-int replay(const PropertiesArguments& a) {
-  const auto subject = subject_of(a);
-  std::string text;
-  std::size_t held = 0, broken = 0, not_asked = 0;
-  bool failed = false;
-  for (const std::string& path : a.replayed) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError({{path, 0, "", "cannot be read; name regression files"}});
-    for (const Regression& regression : read_regressions(file, path)) {
-      if (!fits(regression.shrunk, subject->format())) {
-        ++not_asked;
-        continue;
-      }
-      const Examined found = examine(*regression.law, *subject, regression.shrunk);
-      if (!found.outcome.is_finding()) {
-        ++(found.outcome.kind == properties::Outcome::Kind::holds ? held : not_asked);
-        continue;
-      }
-      ++broken;
-      failed = failed || found.outcome.kind == properties::Outcome::Kind::failed;
-      text += finding_text(
-          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions}, {});
+void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replay& replay) {
+  refuse_other_kinds_of_file(path, "a file of cases of broken laws", {FileKind::regressions});
+  std::ifstream file(path, std::ios::binary);
+  std::error_code unknown;
+  if (!file || std::filesystem::is_directory(path, unknown))
+    throw InputError({{path, 0, "", "cannot be read; name regression files"}});
+  using Kind = properties::Outcome::Kind;
+  for (const Regression& regression : read_regressions(file, path)) {
+    if (!fits(regression.shrunk, subject.format()) || !subject.given_up().empty()) {
+      ++replay.not_asked;
+      continue;
+    }
+    const Examined found = examine(*regression.law, subject, regression.shrunk, bitwise);
+    const Kind kind = found.outcome.kind;
+    if (found.outcome.is_finding()) {
+      replay.findings.push_back(
+          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions});
+    } else {
+      ++(kind == Kind::holds || kind == Kind::rounding ? replay.held : replay.not_asked);
     }
   }
-  text +=
-      fmt::format("{}: {} cases hold, {} broken, {} not asked\n", subject->name(), held, broken, not_asked);
-  write_result("-", text);
-  if (broken > 0) return failed ? kOtherProgram : kViolation;
-  return held > 0 ? kDone : kUndecided;
 }
 
-int run_properties(const PropertiesArguments& a) {
+int replay_cases(const PropertiesArguments& a) {
+  const auto subject = subject_of(a);
+  Replay replay{subject->name(), 0, 0, {}};
+  for (const std::string& path : a.replayed) replay_file(path, a.bitwise, *subject, replay);
+  write_result("-", a.format == "json" ? replay_json(replay) : replay_text(replay));
+  say_given_up(*subject);
+  for (const Finding& finding : replay.findings)
+    if (finding.outcome.kind == properties::Outcome::Kind::failed) return kOtherProgram;
+  if (!replay.findings.empty()) return kViolation;
+  return replay.held > 0 ? kDone : kUndecided;
+}
+
+int run_properties(const PropertiesArguments& a, Dashes dashes) {
+  if (a.words.empty() ? dashes == Dashes::there : a.words[0].empty()) {
+    throw CLI::ValidationError(
+        "nothing stands behind --; name a command there, or leave -- out to ask the reference");
+  }
   if (a.list) {
     const std::vector<const Law*> chosen = plan_of(a).laws;
     write_result("-", a.format == "json" ? list_json(chosen) : list_text(chosen));
     return kDone;
   }
+  require_distinct_files(a);
   try {
-    return a.replayed.empty() ? explore_laws(a) : replay(a);
+    return a.replayed.empty() ? explore_laws(a) : replay_cases(a);
   } catch (const ProgramError& error) {
-    fmt::print(stderr, "tps: {}\n", error.what());
+    say("tps: {}\n", printable_lines(error.what()));
     return kOtherProgram;
   }
 }
 
 }  // namespace
 
-void add_properties(CLI::App& app, int& exit_code) {
+Dashes dashes_in(int argc, const char* const* argv) {
+  const bool there =
+      std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--"; });
+  return there ? Dashes::there : Dashes::none;
+}
+
+void add_properties(CLI::App& app, int& exit_code, Dashes dashes) {
   const auto a = std::make_shared<PropertiesArguments>();
   CLI::App* verb = app.add_subcommand(
       "properties", "Looks for cases in which an implementation breaks a law, and shrinks them.");
   verb->add_flag("--list", a->list, "Lists the laws instead");
   verb->add_option("--law", a->patterns, "Only laws of this id or number; * stands for anything")->take_all();
-  verb->add_option("--cases", a->cases, "Cases of each law")->capture_default_str();
+  verb->add_option("--cases", a->cases, "Cases of each law")
+      ->check(integer_from(1, "a number of cases"))
+      ->capture_default_str();
   verb->add_option("--minutes", a->minutes, "Instead of --cases: so long, with a seed of its own")
-      ->check(CLI::Range(0.0, 1e5));
-  verb->add_option("--seed", a->seed, "Which cases (default: always the same)");
-  verb->add_option("--first", a->first, "Number of the first case, to go on where another run ended");
+      ->check(number_from(0, 1e5, "a time in minutes"));
+  verb->add_option("--seed", a->seed, "Which cases (default: always the same)")
+      ->check(integer_from(0, "a seed"));
+  verb->add_option("--first", a->first, "Number of the first case, to go on where another run ended")
+      ->check(integer_from(0, "the number of a case"));
   std::vector<std::string> scalars = reference_names();
   verb->add_option("--scalar", a->scalar, "The reference in this scalar, or its certified answers")
       ->check(CLI::IsMember(scalars))
@@ -215,8 +254,10 @@ void add_properties(CLI::App& app, int& exit_code) {
   verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)");
   verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
       ->check(CLI::Range(8, 400));
+  verb->add_flag("--bitwise", a->bitwise,
+                 "A law that says bitwise is broken where it holds to rounding only");
   verb->add_option("--timeout", a->timeout, "Seconds for a reply")
-      ->check(CLI::Range(0.001, 3600.0))
+      ->check(number_from(0.001, 3600, "a time limit in seconds"))
       ->capture_default_str();
   verb->add_option("-o,--output", a->known_answers,
                    "Where known answers to the questions of broken laws go (default of a command or library: "
@@ -227,7 +268,7 @@ void add_properties(CLI::App& app, int& exit_code) {
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kPropertiesFooter);
-  verb->callback([a, &exit_code] { exit_code = run_properties(*a); });
+  verb->callback([=, &exit_code] { exit_code = run_properties(*a, dashes); });
 }
 
 }  // namespace tps::cli

@@ -1,27 +1,27 @@
 // tps run
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
+#include <cmath>
 #include <memory>
 
+#include "reference/process/interrupt.hpp"
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/certified/exact_timing.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
 #include "verify/cli/progress.hpp"
+#include "verify/cli/say.hpp"
+#include "verify/cli/start_notice.hpp"
 #include "verify/cli/summary.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 
 namespace tps::cli {
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void note_interrupt(int) {
-  interrupted.store(true);
-}
 
 struct RunArguments {
   std::string scene;
@@ -34,17 +34,45 @@ struct RunArguments {
   RunOptions options;
 };
 
-/// CLI11's own ranges let "nan" through, with which a run would have no end.
-std::string not_before_start(std::string& text) {
-  double time = 0;
-  if (CLI::detail::lexical_cast(text, time) && time >= 0) return {};
-  return "'" + text + "' is not a time; allowed are numbers from 0, and inf";
+/// A trace may go on where it ends, and a checkpoint be replaced by a later one of the same run; nothing else
+/// that is read is written, too.
+void require_distinct_files(const RunArguments& a) {
+  NamedFiles files;
+  files.reads("scene", a.scene).writes("-o", a.options.trace).writes("--checkpoint", a.options.checkpoint);
+  if (!a.options.checkpoint.empty())
+    files.writes("what becomes --checkpoint,", a.options.checkpoint + ".unfinished");
+  if (!a.resume.empty()) {
+    const bool from_checkpoint = is_checkpoint(a.resume);
+    const std::string& goes_on = from_checkpoint ? a.options.checkpoint : a.options.trace;
+    if (!are_one_file(a.resume, goes_on)) files.reads("--resume", a.resume);
+  }
+  files.require_distinct();
 }
 
-RunSummary simulate(RunArguments& a) {
-  if (a.resume.empty()) return run_scene(read_scene_file(a.scene), a.options);
+/// A signal while the scene is read ends the program; from then on it ends the run, and its trace, in good
+/// order.
+RunSummary simulate(RunArguments& a, StartNotice& notice) {
+  if (a.resume.empty()) {
+    require_distinct_files(a);
+    notice.doing(fmt::format("reading {}", a.scene));
+    const Scene scene = read_scene_file(a.scene);
+    const std::size_t n = scene.particles.size();
+    notice.doing(fmt::format("times of the {} pairs of {} particles", n < 2 ? 0 : n * (n - 1) / 2, n));
+    const interrupt::GoodOrder good_order;
+    return run_scene(scene, a.options);
+  }
   if (a.options.trace.empty() && !is_checkpoint(a.resume)) a.options.trace = a.resume;
-  return resume_run(a.resume, a.options);
+  require_distinct_files(a);
+  notice.doing(fmt::format("taking up the last full state of {}", a.resume));
+  const interrupt::GoodOrder good_order;
+  bool unprotected = false;
+  RunSummary summary = resume_run(a.resume, a.options, unprotected);
+  if (unprotected) {
+    say("tps: note: the full state of {} has no checksum, as those of older versions: nothing would have "
+        "shown damage to it\n",
+        printable(a.resume));
+  }
+  return summary;
 }
 
 int run(RunArguments& a) {
@@ -57,24 +85,35 @@ int run(RunArguments& a) {
   }
   certified::ExactTiming certifier;
   a.options.certifier = &certifier;
-  a.options.interrupt = &interrupted;
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  a.options.interrupt = &interrupt::flag();
   RunSummary summary;
   {
     ProgressReport report(a.quiet);
-    a.options.progress = [&](const RunOptions::Progress& progress) { report.update(progress); };
-    summary = simulate(a);
+    StartNotice notice(a.quiet);
+    a.options.progress = [&](const RunOptions::Progress& progress) {
+      notice.stop();
+      report.update(progress);
+    };
+    summary = simulate(a, notice);
   }
   const std::string text = a.format == "json" ? summary_json(summary) : summary_text(summary);
   if (a.options.trace == "-") {
-    if (!a.quiet) fmt::print(stderr, "{}", text);
+    if (!a.quiet) say("{}", text);
   } else {
     write_result("-", text);
   }
   if (summary.end == "stalled") {
-    fmt::print(stderr, "tps: the run stalled: {}\n", stall_message(summary));
+    say("tps: the run stalled: {}\n", stall_message(summary));
     return kStalled;
+  }
+  if (summary.end == "out_of_range") {
+    fmt::print(stderr, "tps: the run left the range of its scalar: {}\n", range_message(summary));
+    return kOutOfRange;
+  }
+  if (!conserves(summary)) {
+    fmt::print(stderr,
+               "tps: energy or momentum is beyond its bound, which no run should be; please report it\n");
+    return kViolation;
   }
   return summary.end == "interrupted" ? kInterrupted : kDone;
 }
@@ -101,14 +140,14 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"all-pairs"}))
       ->capture_default_str();
   verb->add_option("--until", a->options.until, "End at this time instead of the scene's duration")
-      ->check(CLI::Validator(not_before_start, "TIME"));
+      ->check(number_from(0, HUGE_VAL, "a time"));
   verb->add_option("--max-events", a->options.max_events, "End after this many events")
-      ->check(CLI::NonNegativeNumber);
+      ->check(integer_from(0, "a number of events"));
   CLI::Option* state_every =
       verb->add_option(
               "--state-every", a->options.state_every,
               "Events between full states in the trace (default: 1000, or 10 a particle if that is more)")
-          ->check(CLI::PositiveNumber);
+          ->check(integer_from(1, "a number of events"));
   verb->add_option("--checkpoint", a->options.checkpoint, "Keep the latest full state in this file");
   CLI::Option* resume =
       verb->add_option("--resume", a->resume,

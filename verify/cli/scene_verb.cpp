@@ -6,6 +6,7 @@
 
 #include "reference/scene/builders/registry.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 
@@ -31,6 +32,7 @@ void add_builder(CLI::App& verb, const SceneBuilder& builder) {
   named->footer(fmt::format("Example: tps scene {} -o {}.json && tps run {}.json", builder.name, builder.name,
                             builder.name));
   named->callback([a, builder] {
+    NamedFiles().writes("-o", a->output).require_distinct();
     try {
       write_result(a->output, write_scene(builder.build(a->values), SceneStyle::pretty));
     } catch (const std::invalid_argument& error) {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/cli/summary.hpp"
 
 namespace tps::cli {
@@ -56,6 +57,7 @@ std::string summary_json(const RunSummary& s) {
                 {"inner_at_end", s.audit_inner_excess},
                 {"outer_at_end", s.audit_outer_excess}}},
               {"noise", s.noise},
+              {"first_noise", s.first_noise},
               {"zero_impulse", s.zero_impulse}};
   if (s.certified) {
     result["certified"] = {{"verdict", stages_json(s.certified->verdict)},
@@ -76,8 +78,10 @@ std::string summary_json(const RunSummary& s) {
           {{"id", p.id}, {"species", p.species}, {"position", p.position}, {"velocity", p.velocity}});
     }
   }
+  if (s.noise > 0) result["note"] = rounding_note(s);
+  if (!s.out_of_range.empty()) result["out_of_range"] = range_message(s);
   if (!s.stalled_on.empty()) result["stalled_on"] = s.stalled_on;
-  return result.dump(2) + "\n";
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace tps::cli

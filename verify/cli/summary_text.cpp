@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "reference/text/printable.hpp"
 #include "verify/cli/summary.hpp"
 
 namespace tps::cli {
@@ -66,7 +67,7 @@ void write_clusters(Text out, const RunSummary& s) {
   fmt::format_to(out,
                  "clusters   of {}; extent and speeds are those of the largest, around an impulse of the one "
                  "that was hit\n",
-                 s.cluster_species);
+                 printable(s.cluster_species));
   fmt::format_to(out, "           {:>10}  {:>6}  {:>8}  {:>8}  {:>8}  sizes\n", "t", "number", "extent",
                  "relative", "centre");
   for (const ClusterSample& c : s.clusters) {
@@ -77,13 +78,13 @@ void write_clusters(Text out, const RunSummary& s) {
       fmt::format_to(out, "  {:>8.4g}  {:>8.4g}  {:>8.4g}", c.extent, c.relative_speed, c.centre_speed);
     }
     fmt::format_to(out, "  {}{}\n", fmt::join(c.sizes, " "),
-                   c.occasion == "sample" ? "" : "  (" + c.occasion + ")");
+                   c.occasion == "sample" ? "" : "  (" + printable(c.occasion) + ")");
   }
 }
 
 void write_final(Text out, const RunSummary& s) {
   for (const RunSummary::Final& p : s.final_states) {
-    fmt::format_to(out, "particle   {} ({}) at ({}) with velocity ({})\n", p.id, p.species,
+    fmt::format_to(out, "particle   {} ({}) at ({}) with velocity ({})\n", p.id, printable(p.species),
                    fmt::join(p.position, ", "), fmt::join(p.velocity, ", "));
   }
 }
@@ -96,13 +97,34 @@ std::string stall_message(const RunSummary& s) {
       "collapse, or "
       "its finite number of collisions is beyond this scalar: give the scene \"grouping\" with a small "
       "\"dt_restitute\", or run with a wider --scalar.",
-      s.t, fmt::join(s.stalled_on, ", "));
+      s.t, printable(fmt::format("{}", fmt::join(s.stalled_on, ", "))));
+}
+
+std::string range_message(const RunSummary& s) {
+  return fmt::format(
+      "{} leaves the range of {} in the event after number {} (t = {:.9g}); the trace ends before it. Choose "
+      "other units, or run with a wider --scalar.",
+      s.out_of_range, s.scalar, s.events, s.t);
+}
+
+std::string rounding_note(const RunSummary& s) {
+  if (s.noise == 0) return {};
+  const bool widest = s.scalar == scalar_names().back();
+  return fmt::format(
+      "{} of the rebounds, the first at event {}, approached more slowly than {} can tell: the number of "
+      "collisions is not to be trusted from there on; {}",
+      s.noise, s.first_noise, s.scalar,
+      widest ? "give the scene \"grouping\"" : "compare a wider --scalar, or give the scene \"grouping\"");
+}
+
+bool conserves(const RunSummary& s) {
+  return std::abs(s.energy_remainder) <= s.energy_bound && s.momentum_drift <= s.momentum_bound;
 }
 
 std::string summary_text(const RunSummary& s) {
   std::string text;
   const Text out = std::back_inserter(text);
-  fmt::format_to(out, "scene      {} ({} particles, {})\n", s.title.empty() ? "untitled" : s.title,
+  fmt::format_to(out, "scene      {} ({} particles, {})\n", s.title.empty() ? "untitled" : printable(s.title),
                  s.particles, s.scalar);
   fmt::format_to(out, "end        {} at t = {:.9g} after {} events", s.end, s.t, s.events);
   if (s.seconds > 0)
@@ -110,11 +132,13 @@ std::string summary_text(const RunSummary& s) {
   fmt::format_to(out, "\nevents    ");
   for (const auto& [kind, count] : s.by_kind) fmt::format_to(out, " {} {}", count, kind);
   fmt::format_to(out, "\n           below rounding {}, with zero impulse {}\n", s.noise, s.zero_impulse);
+  if (s.noise > 0) fmt::format_to(out, "           note: {}\n", rounding_note(s));
   write_conservation(out, s);
   if (s.certified) write_certified(out, *s.certified);
   if (s.grouping) write_groups(out, s);
   if (s.observes_clusters) write_clusters(out, s);
   write_final(out, s);
+  if (!s.out_of_range.empty()) fmt::format_to(out, "range      {}\n", range_message(s));
   if (!s.stalled_on.empty()) fmt::format_to(out, "stalled    {}\n", stall_message(s));
   return text;
 }

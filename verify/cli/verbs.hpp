@@ -15,7 +15,12 @@ void add_claims(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
 void add_vectors(CLI::App& app, int& exit_code);
 void add_serve(CLI::App& app, int& exit_code);
-void add_properties(CLI::App& app, int& exit_code);
+
+/// Whether "--" stands on the command line: CLI11 does not tell.
+enum class Dashes { none, there };
+Dashes dashes_in(int argc, const char* const* argv);
+
+void add_properties(CLI::App& app, int& exit_code, Dashes dashes);
 
 /// What the program returns to the shell (--help lists the same).
 enum ExitCode : int {
@@ -27,6 +32,7 @@ enum ExitCode : int {
   kUndecided = 5,
   kStalled = 6,
   kOutputFailed = 7,
+  kOutOfRange = 8,
   kInternal = 70,
   kInterrupted = 130,
 };

@@ -6,7 +6,8 @@
 
 namespace tps::cli {
 
-/// Writes a whole result to a file, "-" being standard output. Throws OutputError.
+/// Writes a whole result to a file, "-" being standard output. Throws OutputError. Files of a call that also
+/// reads or writes others are made distinct first (named_files.hpp).
 void write_result(const std::string& path, std::string_view text);
 
 }  // namespace tps::cli

@@ -5,34 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/text/printable.hpp"
 #include "verify/draw/palette.hpp"
 
 namespace tps {
 namespace {
 
-/// Text for the content of an element or an attribute. Control characters, which XML forbids, become '?'.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  }
-  return result;
-}
+constexpr std::size_t kLongestLabel = 500;  // of a title: what no picture shows
 
 }  // namespace
 
@@ -94,7 +73,8 @@ std::string gradients(const Scene& scene) {
 }
 
 std::string text_element(double x, double y, const std::string& content) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, escaped(content));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y,
+                     xml_text(printable(content, kLongestLabel)));
 }
 
 std::vector<std::string> legend_lines(const Drawing& drawing, double left, double top) {

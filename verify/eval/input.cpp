@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/json_number.hpp"
@@ -231,6 +232,7 @@ Input read_words(const Operation& operation, const std::vector<std::string>& wor
 }
 
 Input read_json(const Operation& operation, const std::string& path) {
+  refuse_other_kinds_of_file(path, "the input of an operation", {FileKind::requests});
   const JsonDocument document = parse_json_file(path, "the input of one operation is a small object");
   document.problems.throw_if_any();
   const JsonValue* in = document.root.find("in");

@@ -59,8 +59,10 @@ std::uint64_t bits_of(const Integer& x) {
 }
 
 LiftUnits units_of(const TimingQuery& query) {
+  // At rest every power of two divides every velocity; any will do that sums of exponents can bear.
+  const int speed = smallest_exponent(query.v_A, query.v_B);
   return {std::min(smallest_exponent(query.u_A, query.u_B), unit_of(query.L)),
-          smallest_exponent(query.v_A, query.v_B)};
+          speed == std::numeric_limits<int>::max() ? 0 : speed};
 }
 
 LiftUnits common_units(const LiftUnits& first, const LiftUnits& second) {

@@ -21,7 +21,8 @@ struct LiftUnits {
   int length, speed;
 };
 
-/// The largest powers of two that divide every length and every velocity of the query.
+/// The largest powers of two that divide every length and every velocity of the query; 1 for velocities that
+/// are all zero.
 /// REQUIRES a valid query.
 LiftUnits units_of(const TimingQuery& query);
 

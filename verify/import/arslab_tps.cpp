@@ -52,7 +52,12 @@ class Importer {
     if (source_.full() || has_too_many_species()) return {};
     scene_.title = "Imported from a scenario of ARSLab_TPS";
     if (options_.dt_restitute) scene_.grouping = Grouping{*options_.dt_restitute};
-    if (there("config")) read_config(*root_.find("config"));
+    if (there("config")) {
+      read_config(*root_.find("config"));
+    } else if (root_.find("config") == nullptr) {
+      scene_.duration = options_.duration.value_or(built_in_runtime);
+      if (!options_.duration) note_built_in_runtime("config");
+    }
     if (there("species")) read_species();
     if (there("species")) add_blocking_laws();
     read_particles();
@@ -73,14 +78,28 @@ class Importer {
       notes_.push_back("config.ri is true; the scene has no random impulses, as asked");
     }
     const JsonValue* runtime = config.find("runtime");
-    if (runtime == nullptr && !options_.duration) {
-      notes_.push_back(fmt::format(
-          "config.runtime is missing; the duration is {}, the built-in time of ARSLab_TPS for such files; "
-          "--duration gives another",
-          built_in_runtime));
-    }
+    if (runtime == nullptr && !options_.duration) note_built_in_runtime("config.runtime");
     scene_.duration =
         options_.duration.value_or(runtime == nullptr ? built_in_runtime : runtime->number()->value);
+  }
+
+  void note_built_in_runtime(std::string_view missing) {
+    notes_.push_back(
+        fmt::format("{} is missing; the duration is {}, the built-in time of ARSLab_TPS for such files; "
+                    "--duration gives another",
+                    missing, built_in_runtime));
+  }
+
+  /// Files of the first versions have no config: whatever species described random impulses had them.
+  void read_impulses_of_old_file() {
+    if (!options_.without_random_impulses) {
+      source_.report(
+          "/species",
+          "config is missing, as in files of the first versions of ARSLab_TPS, where species with tau, "
+          "shape and mean receive random impulses, which this version does not simulate; give "
+          "--without-random-impulses to import the rest of the file, or add "
+          "\"config\":{\"ri\":false}");
+    }
   }
 
   bool has_too_many_species() {
@@ -105,6 +124,7 @@ class Importer {
                                 .max_tethers = {}});
       for (const char* key : {"tau", "shape", "mean"}) has_impulse_keys |= member.value.find(key) != nullptr;
     }
+    if (has_impulse_keys && root_.find("config") == nullptr) read_impulses_of_old_file();
     if (has_impulse_keys) {
       notes_.push_back("tau, shape and mean of the species are dropped: they describe random impulses");
     }

@@ -6,8 +6,10 @@
 
 #include "reference/run/next_event.hpp"
 #include "reference/scene/input_error.hpp"
-#include "reference/scene/read_scene.hpp"
+#include "verify/certified/certified_next_event.hpp"
 #include "verify/certified/certified_response.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/certified/next_event_input.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/protocol/json_text.hpp"
@@ -57,7 +59,16 @@ std::string group_text(const certified::GroupResponse& response) {
                      flag("unsettled", !all_settled));
 }
 
-std::string next_event_text(const NextEvent& event) {
+template <typename Components>
+std::string state_text(const char* separator, std::int32_t id, const Components& position,
+                       const Components& velocity) {
+  return fmt::format(R"({}{{"id":{},"position":{},"velocity":{}}})", separator, id, vector_text(position),
+                     vector_text(velocity));
+}
+
+/// An event of the engine, under certified timing from the scene's own numbers: who and when are exact, the
+/// state after it is computed in double.
+std::string simulated_text(const NextEvent& event) {
   std::string text = fmt::format(R"({{"kind":"{}")", event.kind);
   if (event.i) text += fmt::format(R"(,"i":{})", *event.i);
   if (event.j) text += fmt::format(R"(,"j":{})", *event.j);
@@ -66,11 +77,39 @@ std::string next_event_text(const NextEvent& event) {
   text += R"(,"state":[)";
   const char* separator = "";
   for (const NextEvent::State& s : event.state) {
-    text += fmt::format(R"({}{{"id":{},"position":{},"velocity":{}}})", separator, s.id,
-                        vector_text(s.position), vector_text(s.velocity));
+    text += state_text(separator, s.id, s.position, s.velocity);
+    separator = ",";
+  }
+  return text + R"(],"simulated":true})";
+}
+
+std::string nothing_text(const Scene& scene) {
+  std::string text = R"({"kind":"none","state":[)";
+  const char* separator = "";
+  for (const Particle& p : scene.particles) {
+    const auto components = [&](const Coordinates& x) {
+      return std::vector<double>(x.begin(), x.begin() + scene.dimension);
+    };
+    text += state_text(separator, p.id, components(p.position), components(p.velocity));
     separator = ",";
   }
   return text + "]}";
+}
+
+std::string event_text(const Scene& scene, const certified::PairLimit& limit,
+                       const certified::CertifiedNextEvent& event) {
+  std::string text =
+      fmt::format(R"({{"kind":"{}","i":{},"j":{},"dt":{})", event.kind, scene.particles[limit.i].id,
+                  scene.particles[limit.j].id, quoted_number(event.dt.nearest));
+  if (!event.tether.empty()) text += fmt::format(R"(,"tether":"{}")", event.tether);
+  text += R"(,"state":[)";
+  const char* separator = "";
+  for (std::size_t n = 0; n < scene.particles.size(); ++n) {
+    text += state_text(separator, scene.particles[n].id, event.positions[n], event.velocities[n]);
+    separator = ",";
+  }
+  return text + "]" + flag("boundary", event.boundary) + flag("tied", event.tied) +
+         flag("unsettled", !event.settled) + "}";
 }
 
 std::string timing(exact::Kind kind, const eval::Operation& operation, const JsonValue& in,
@@ -93,9 +132,14 @@ std::string group(const JsonValue& in, const Place& place) {
 }
 
 std::string next_event(const JsonValue& in, const Place& place) {
-  const JsonValue& scene = member(in, "scene", place);
-  require_keys(in, {"scene"}, place);
-  return next_event_text(tps::next_event(read_scene_value(scene, place.source, place.pointer + "/scene")));
+  const Scene scene = read_next_event(in, place);
+  if (certified::not_certified(scene)) {
+    certified::ExactTiming certifier;
+    return simulated_text(tps::next_event(scene, {Timing::certified, &certifier}));
+  }
+  const certified::NextEventInput input = certified::next_event_input(scene);
+  const auto event = certified::certified_next_event(input);
+  return event ? event_text(scene, input.limits[event->limit], *event) : nothing_text(scene);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/json_number.hpp"
@@ -18,6 +19,7 @@ namespace {
 /// Calls use(in, place) on the input that a file holds.
 template <typename Use>
 auto with_input(std::string_view operation, const std::string& path, Use use) {
+  refuse_other_kinds_of_file(path, "the input of an operation", {FileKind::requests});
   const JsonDocument document =
       parse_json_file(path, "the input of one operation is an object of that operation");
   document.problems.throw_if_any();
@@ -77,7 +79,7 @@ const std::vector<Compound>& compounds() {
        R"({"first":{"kind":"block"|"tether",u_A,u_B,v_A,v_B,L},"second":…})", "certified"},
       {"group", "velocities of bodies grouped by collisions, eqs. (3)-(7)",
        R"({"bodies":[{m,u,v},…],"collisions":[{i,j,"limit":"inner",c},…]})", "certified"},
-      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "double"},
+      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "certified"},
   };
   return table;
 }

@@ -52,7 +52,7 @@ Reply hello() {
   for (const std::string& name : operation_names())
     operations.append(operations.empty() ? "" : ",").append(quoted(name));
   return {fmt::format(
-      R"({{"name":"tps","version":{},"semantics":{},"ops":[{}],"precision":"correctly rounded double; next_event: simulated in double"}})",
+      R"({{"name":"tps","version":{},"semantics":{},"ops":[{}],"precision":"correctly rounded double, where an answer is not flagged unsettled or simulated"}})",
       quoted(version()), kSemanticsVersion, operations)};
 }
 

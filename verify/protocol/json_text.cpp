@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
 #include "reference/trace/hexfloat.hpp"
 
 namespace tps::protocol {
@@ -23,7 +24,7 @@ std::string vector_text(const certified::EnclosedVector& components) {
 }
 
 std::string quoted(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return tps::json_text(nlohmann::ordered_json(text));
 }
 
 }  // namespace tps::protocol

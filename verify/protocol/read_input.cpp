@@ -8,6 +8,8 @@
 
 #include "reference/scene/input_error.hpp"
 #include "reference/scene/nearest_name.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "verify/certified/next_event_input.hpp"
 
 namespace tps::protocol {
 namespace {
@@ -161,6 +163,21 @@ certified::GroupInput read_group(const JsonValue& in, const Place& place) {
   }
   require_keys(in, {"bodies", "collisions"}, place);
   return group;
+}
+
+Scene read_next_event(const JsonValue& in, const Place& place) {
+  const JsonValue& value = member(in, "scene", place);
+  require_keys(in, {"scene"}, place);
+  const Place here = inside(place, "scene");
+  const JsonValue* particles = value.find("particles");
+  if (particles != nullptr && particles->array() != nullptr &&
+      particles->array()->size() > certified::kMostParticles) {
+    refuse(*particles, inside(here, "particles"),
+           fmt::format(
+               "has {} entries; the certified next event takes at most {} particles; `tps run` takes any",
+               particles->array()->size(), certified::kMostParticles));
+  }
+  return read_scene_value(value, here.source, here.pointer);
 }
 
 }  // namespace tps::protocol

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/scene/json_document.hpp"
+#include "reference/scene/scene.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/timing_input.hpp"
 #include "verify/eval/input.hpp"
@@ -36,5 +37,8 @@ OrderInput read_order_words(const std::vector<std::string>& words);
 /// {"bodies":[{"m","u","v"},…],"collisions":[{"i","j","limit":"inner","c"} or
 /// {"i","j","limit":"outer","c_retract", "c_revolve","theta_revolve_deg"},…]}. Throws InputError.
 certified::GroupInput read_group(const JsonValue& in, const Place& place);
+
+/// {"scene":{…}}. Throws InputError.
+Scene read_next_event(const JsonValue& in, const Place& place);
 
 }  // namespace tps::protocol

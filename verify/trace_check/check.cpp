@@ -8,9 +8,12 @@
 #include <chrono>
 #include <filesystem>
 
+#include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
+#include "reference/scene/file_kind.hpp"
 #include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/version.hpp"
 #include "verify/protocol/line_reader.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 
@@ -31,7 +34,8 @@ class Descriptor {
  public:
   explicit Descriptor(const std::string& path)
       : number_(path == "-" ? 0 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (path != "-" && std::filesystem::is_directory(path))
+    std::error_code unknown;
+    if (path != "-" && std::filesystem::is_directory(path, unknown))
       fail(path, 0, "is a directory; a trace is a file");
     if (number_ < 0) fail(path, 0, "cannot be opened; a trace is written by tps run SCENE -o TRACE");
   }
@@ -46,17 +50,55 @@ class Descriptor {
   int number_;
 };
 
+std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
+  const JsonValue* value = object.find(key);
+  if (value == nullptr) return otherwise;
+  return value->string() != nullptr ? *value->string() : "";
+}
+
 struct Head {
   Scene scene;
   std::string scalar = "double";
   Timing timing = Timing::stable;
   bool minimal = false;
+  int semantics = 0;      ///< 0: not said
+  std::string positions;  ///< "lazy", "eager" or empty: not said
+  bool own_draws = false;
+  bool checksum_holds = true;  ///< where it has one
 };
 
-std::string text_at(const JsonValue& object, const char* key, const std::string& otherwise) {
-  const JsonValue* value = object.find(key);
-  if (value == nullptr) return otherwise;
-  return value->string() != nullptr ? *value->string() : "";
+/// The version of the semantics that a trace names; what another one means is not known here.
+int semantics_of(const JsonValue& root, const std::string& file) {
+  const JsonValue* semantics = root.find("semantics");
+  if (semantics == nullptr) return 0;
+  const double version = semantics->number() == nullptr ? 0 : semantics->number()->value;
+  if (!is_known_semantics(version)) {
+    fail(file, 1,
+         fmt::format("/semantics is none of the versions of docs/semantics.md that this check knows, {} to "
+                     "{}; a trace "
+                     "of another program may leave it out",
+                     kOldestSemantics, kSemanticsVersion));
+  }
+  return static_cast<int>(version);
+}
+
+std::string one_of(const JsonValue& root, const char* key, const std::vector<std::string>& allowed,
+                   const std::string& file) {
+  if (root.find(key) == nullptr) return "";
+  std::string text = text_at(root, key, "");
+  if (std::find(allowed.begin(), allowed.end(), text) == allowed.end())
+    fail(file, 1, fmt::format("/{} \"{}\" is none of {}", key, text.substr(0, 60), fmt::join(allowed, ", ")));
+  return text;
+}
+
+/// True where there is none: then nothing is claimed.
+bool checksum_holds(const JsonValue& root, const Head& head) {
+  const JsonValue* stated = root.find("checksum");
+  if (stated == nullptr) return true;
+  TraceHead claimed{head.scene, head.semantics, *scalar_kind(head.scalar), head.timing, 0};
+  const JsonValue* every = root.find("options")->find("state_every");
+  if (every != nullptr && every->number() != nullptr) claimed.state_every = every->number()->magnitude;
+  return stated->string() != nullptr && *stated->string() == head_checksum(claimed);
 }
 
 Head read_head(std::string_view text, const std::string& file, const CheckOptions& options) {
@@ -69,8 +111,8 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   if (version == nullptr || version->number() == nullptr || version->number()->value != 1) {
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
-  static const std::vector<std::string> known = {"trace",   "semantics", "version", "scalar",
-                                                 "options", "scene",     "form"};
+  static const std::vector<std::string> known = {"trace", "semantics", "version",   "scalar", "options",
+                                                 "scene", "form",      "positions", "draws",  "checksum"};
   for (const JsonMember& member : *root.object()) {
     if (std::find(known.begin(), known.end(), member.key) == known.end()) {
       fail(file, 1,
@@ -86,6 +128,11 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   if (form != "full" && form != "minimal")
     fail(file, 1, fmt::format("/form \"{}\" is neither \"full\" nor \"minimal\"", form));
   head.minimal = form == "minimal";
+  head.semantics = semantics_of(root, file);
+  head.positions = one_of(root, "positions", {"lazy", "eager"}, file);
+  // The page of semantics fixes the generator; who names neither may have another one.
+  const std::string draws = one_of(root, "draws", {"philox", "recorded"}, file);
+  head.own_draws = draws == "philox" || (draws.empty() && head.semantics > 0);
   if (const JsonValue* run_options = root.find("options")) {
     const std::string timing = text_at(*run_options, "timing", "stable");
     const auto kind = timing_named(timing);
@@ -106,14 +153,25 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
   } else {
     fail(file, 1, "has no \"scene\", and none is given by --scene");
   }
+  head.checksum_holds = head.minimal || checksum_holds(root, head);
   return head;
+}
+
+/// The first line and what follows it, as much as tells what a file is that begins like no trace.
+std::string beginning_of(const std::string& first, protocol::LineReader& reader) {
+  std::string beginning = first;
+  while (beginning.size() < kBytesThatTell) {
+    const protocol::LineReader::Result next = reader.next();
+    if (next.status != protocol::LineReader::Status::line) break;
+    beginning.append("\n").append(next.text);
+  }
+  return beginning;
 }
 
 CheckReport start_report(const std::string& path, const Head& head, double tolerance) {
   CheckReport report;
   report.file = path == "-" ? "standard input" : path;
   report.title = head.scene.title;
-  for (char& c : report.title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   report.scalar = head.scalar;
   report.timing = timing_names()[static_cast<std::size_t>(head.timing)];
   report.minimal = head.minimal;
@@ -124,11 +182,37 @@ CheckReport start_report(const std::string& path, const Head& head, double toler
   return report;
 }
 
-void say_what_minimal_leaves_out(Tally& tally) {
+void say_what_minimal_leaves_out(Tally& tally, const Head& head) {
   tally.not_judged(Rule::flight, "positions are judged where the trace has them");
   tally.not_judged(Rule::bystanders, "the trace has no velocities before events");
   tally.not_judged(Rule::states, "a minimal trace has no full states to judge");
-  tally.not_judged(Rule::groups, "stored impulses are the check's own");
+  if (head.scene.grouping) tally.not_judged(Rule::groups, "stored impulses are the check's own");
+}
+
+constexpr const char* kTakenAsEager =
+    "positions are taken to be advanced and rounded for everybody at every event; \"positions\":\"eager\" in "
+    "the "
+    "header says so";
+
+/// A trace that does not say how its positions are kept is judged both ways. @return whether the second is
+/// the better one: nothing is violated then.
+bool explains_more(const CheckReport& strict, const CheckReport& eager) {
+  return strict.violated() > 0 && eager.violated() == 0;
+}
+
+void judge_header(Tally& tally, const Head& head, const CheckOptions& options) {
+  tally.step.line = 1;
+  tally.demand(Rule::schema, head.checksum_holds, [](Finding& f) {
+    f.message =
+        "/checksum is not that of scalar, options and scene: the line was damaged or edited (if it was "
+        "edited, leave the checksum out)";
+  });
+  if (!options.scene.empty()) {
+    tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
+      f.message = fmt::format("the scene of the trace is not that of {}", options.scene);
+    });
+  }
+  if (head.minimal) say_what_minimal_leaves_out(tally, head);
 }
 
 }  // namespace
@@ -148,20 +232,31 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
     fail(file, 1, "is longer than 64 MiB; a header is not");
   if (first.status == protocol::LineReader::Status::interrupted)
     fail(file, 0, "the check was interrupted before the header");
-  const Head head = read_head(first.text, file, options);
+  const std::string header(first.text);
+  if (header.find("\"trace\"") == std::string::npos) {
+    refuse_other_kinds(beginning_of(header, reader), file, "a trace",
+                       {FileKind::trace, FileKind::checkpoint});
+  }
+  const Head head = read_head(header, file, options);
   reader.set_longest_line(kLongestHeader + kStateOfParticle * head.scene.particles.size());
 
   CheckReport report = start_report(path, head, options.tolerance);
   report.lines = 1;
+  CheckReport eager_report = report;
   Tally tally(report, options.tolerance, options.max_reports);
-  tally.step.line = 1;
-  tally.pass(Rule::schema);
-  if (!options.scene.empty()) {
-    tally.demand(Rule::schema, head.scene == read_scene_file(options.scene), [&](Finding& f) {
-      f.message = fmt::format("the scene of the trace is not that of {}", options.scene);
-    });
+  Tally eager_tally(eager_report, options.tolerance, options.max_reports);
+  const TraceFacts facts{.scene = head.scene,
+                         .timing = head.timing,
+                         .minimal = head.minimal,
+                         .semantics = head.semantics,
+                         .eager = head.positions == "eager",
+                         .own_draws = head.own_draws && !options.trust_draws};
+  std::vector<Judgement> ways = {{facts, tally, report}};
+  if (head.minimal && head.positions.empty()) {
+    ways.push_back({facts, eager_tally, eager_report});
+    ways.back().facts.eager = true;
   }
-  if (head.minimal) say_what_minimal_leaves_out(tally);
+  for (const Judgement& way : ways) judge_header(way.tally, head, options);
 
   std::uint64_t bytes = first.text.size();
   LineSource source{[&](LineSource::Text& line) {
@@ -176,16 +271,20 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
       options.progress({bytes, report.events});
     return true;
   }};
-  const TraceFacts facts{head.scene, head.timing, head.minimal};
   if (head.scalar == "float") {
-    judge_lines<double>(source, facts, {0x1p-24L, 0x1p-149L, 24, true}, tally, report);
+    judge_lines<double>(source, ways, {0x1p-24L, 0x1p-149L, 24, true});
   } else if (head.scalar == "double") {
-    judge_lines<double>(source, facts, {0x1p-53L, 0x1p-1074L, 53, false}, tally, report);
+    judge_lines<double>(source, ways, {0x1p-53L, 0x1p-1074L, 53, false});
   } else {
-    judge_wide_lines(source, facts, head.scalar, tally, report);
+    judge_wide_lines(source, ways, head.scalar);
+  }
+  for (const Judgement& way : ways) way.tally.close_sums();
+  if (ways.size() > 1 && explains_more(report, eager_report)) {
+    eager_report.lines = report.lines;
+    report = std::move(eager_report);
+    report.notes.emplace_back(kTakenAsEager);
   }
   report.interrupted = interrupted;
-  tally.close_sums();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -15,6 +15,7 @@ namespace tps::check {
 struct CheckOptions {
   std::string scene;              ///< a scene file that the trace's own scene has to equal; empty: none
   double tolerance = 1;           ///< multiplies every derived bound
+  bool trust_draws = false;       ///< recorded draws are taken as given, not asked of the generator
   std::uint64_t max_reports = 5;  ///< findings that are kept in full, for each rule
   const std::atomic<bool>* interrupt = nullptr;  ///< gives up, in good order, once it is true
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <map>
-#include <tuple>
 
 #include "verify/trace_check/neighbours.hpp"
+#include "verify/trace_check/paths.hpp"
 #include "verify/trace_check/rules/bystanders.hpp"
 #include "verify/trace_check/rules/contact.hpp"
 #include "verify/trace_check/rules/earliest.hpp"
@@ -15,6 +15,7 @@
 #include "verify/trace_check/rules/scheduled.hpp"
 #include "verify/trace_check/rules/states.hpp"
 #include "verify/trace_check/rules/tethers.hpp"
+#include "verify/trace_check/trace_facts.hpp"
 
 namespace tps::check {
 
@@ -23,7 +24,7 @@ class Checker {
  public:
   using W = Work<Number>;
 
-  Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal, Tally& tally);
+  Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally);
 
   Checker(const Checker&) = delete;
   Checker& operator=(const Checker&) = delete;
@@ -42,18 +43,28 @@ class Checker {
     return fmt::format("t = {:.17g}", static_cast<double>(t.hi) + model_.scene.start_time);
   }
 
-  Happening<Number> happening_of(const EventLine<Number>& event);
+  Turn<Number> turn_of_event(const EventLine<Number>& event);
+  void take_turn(const EventLine<Number>& event);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
-  void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
+
+  Told told_of(int i, int j) const;
+  void note_told(int i, int j, const Told& told);
   void judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_with_everybody(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void renew_anchors(const Instant<Number>& until, const Happening<Number>& happening);
-  void judge_everyone(const Instant<Number>& until, const Happening<Number>& happening);
   void place(int i, const Instant<Number>& now);
+
+  Path path_of(int i) const;
+  void judge_until_end(const Instant<Number>& end, Until until);
+  void judge_ahead(const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_left(const Instant<Number>& end, std::vector<LeftWaiting>& left);
 
   std::vector<int> changing(const EventLine<Number>& event) const;
   void follow(const EventLine<Number>& event);
   void follow_load(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
+  W speeds_of(int i, int j) const;
   void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
 
   Model<Number> model_;
@@ -61,12 +72,17 @@ class Checker {
   Timing timing_;
   bool minimal_;
   certified::ExactTiming exact_;
+  Turns<Number> turns_;
   const Context<Number> context_;
   Neighbours neighbours_;
   std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
+  StepNumber step_ = 0;
+  std::vector<StepNumber> changed_at_;        ///< the step in which a particle began its flight; walls: none
+  StepNumber phase_at_ = 0, impulse_at_ = 0;  ///< the step of the last one
+  std::vector<std::size_t> looks_;            ///< at others, by particle, while anchors are renewed
   bool earliest_held_ = true, bounds_held_ = true;
-  /// Of flights about which something was found: pair and revisions.
-  std::map<std::tuple<int, int, std::uint32_t, std::uint32_t>, Told> told_;
+  /// What has been said about pairs, by particle, during its present flight.
+  std::vector<std::map<int, Told>> told_;
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
   bool ended_ = false;

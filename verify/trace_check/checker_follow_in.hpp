@@ -18,10 +18,12 @@ void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const 
     position = *recorded;
   } else {
     const Flight<Number>& flight = model_.flight(i);
-    blur = flight.blur;
+    blur = model_.blur(i);
     position = carried(flight, event.t, model_.precision, blur);
     if (minimal_) {
-      blur += context_.time_error(event.t) * length(widened<W>(flight.velocity)) +
+      // The velocity changed at the time that `t` rounds: until then, or from then on, the other one acted.
+      const Vec<W> change = widened<W>(velocity) - widened<W>(flight.velocity);
+      blur += context_.time_error(event.t) * length(change) +
               W(2) * model_.precision.u * largest(widened<W>(position));
     }
   }
@@ -48,7 +50,14 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero
                        ? zero
                        : bodies_->inverse_i * bodies_->inverse_j / (bodies_->inverse_i + bodies_->inverse_j);
-  model_.groups.load(std::move(node), joined, event.t);
+  const Number dt = stored<Number>(model_.scene.grouping->dt_restitute, model_.precision);
+  model_.groups.load(std::move(node), joined, event.t, later_by(event.t, dt, model_.precision));
+}
+
+/// Before the event.
+template <typename Number>
+Work<Number> Checker<Number>::speeds_of(int i, int j) const {
+  return length(widened<W>(model_.flight(i).velocity)) + length(widened<W>(model_.flight(j).velocity));
 }
 
 template <typename Number>
@@ -60,12 +69,13 @@ void Checker<Number>::follow_restitution(const EventLine<Number>& event) {
     return;
   }
   const auto node = model_.groups.part(body);
+  const W speeds = speeds_of(event.i, event.j);
   const std::array<int, 2> pair = {event.i, event.j};
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Number> velocity = event.of(pair[side])->velocity_after;
     for (const int member : node->members[side]) begin_flight(event, member, velocity);
   }
-  model_.note_response(event.i, event.j, node->outer);
+  model_.note_response(event.i, event.j, node->outer, speeds);
 }
 
 /// Takes over what the event says happened, whatever the rules think of it.
@@ -86,6 +96,7 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
   const bool both_fixed = event.j >= 0 && model_.fixed(event.i) && model_.fixed(event.j);
   const bool loads = bodies_ && !both_fixed && is_collision(event.kind) && is_load(c, event, expected_) &&
                      !model_.groups.together(event.i, event.j);
+  const W speeds = event.j >= 0 ? speeds_of(event.i, event.j) : W(0);
   if (event.kind == Kind::restitute) {
     follow_restitution(event);
   } else {
@@ -101,13 +112,18 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     model_.tethers[static_cast<std::size_t>(event.i)].erase(event.j);
     model_.tethers[static_cast<std::size_t>(event.j)].erase(event.i);
   } else if (is_collision(event.kind) && !model_.groups.together(event.i, event.j)) {
-    model_.note_response(event.i, event.j, event.kind != Kind::rebound);
+    model_.note_response(event.i, event.j, event.kind != Kind::rebound, speeds);
   }
   if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) model_.apply_phase_change();
   if (event.kind == Kind::scheduled_impulse && model_.impulses_done < model_.impulses.size())
     ++model_.impulses_done;
-  model_.now = model_.last_event = event.t;
-  for (const int i : changed) place(i, event.t);
+  model_.now = event.t;
+  for (const int i : changed) {
+    if (model_.fixed(i)) continue;
+    changed_at_[Model<Number>::at(i)] = step_;
+    told_[Model<Number>::at(i)].clear();
+    place(i, event.t);
+  }
 }
 
 }  // namespace tps::check

@@ -6,16 +6,28 @@
 namespace tps::check {
 
 template <typename Number>
-Checker<Number>::Checker(const Scene& scene, const Precision<Number>& precision, Timing timing, bool minimal,
-                         Tally& tally)
-    : model_(scene, precision),
+Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally)
+    : model_(facts.scene, precision),
       tally_(tally),
-      timing_(timing),
-      minimal_(minimal),
-      context_{model_,   tally_, timing_,
-               minimal_, exact_, [this](const Instant<Number>& t) { return shown_time(t); }},
-      neighbours_(scene),
-      permanent_(scene.particles.size()) {
+      timing_(facts.timing),
+      minimal_(facts.minimal),
+      turns_(exact_),
+      context_{model_,
+               tally_,
+               timing_,
+               minimal_,
+               exact_,
+               turns_,
+               [this](const Instant<Number>& t) { return shown_time(t); },
+               facts.semantics,
+               facts.own_draws},
+      neighbours_(facts.scene, as_double(precision.u)),
+      permanent_(facts.scene.particles.size()),
+      changed_at_(facts.scene.particles.size(), 0),
+      looks_(facts.scene.particles.size(), 0),
+      told_(facts.scene.particles.size()) {
+  const Scene& scene = facts.scene;
+  model_.eager = facts.eager;
   std::vector<std::vector<int>> of_species(scene.species.size());
   for (int n = 0; n < model_.size(); ++n) {
     of_species[static_cast<std::size_t>(scene.particles[static_cast<std::size_t>(n)].species)].push_back(n);
@@ -31,108 +43,59 @@ Checker<Number>::Checker(const Scene& scene, const Precision<Number>& precision,
   }
 }
 
-/// Which exact moment an event stands for, where the trace claims exact order.
+/// The turn of the event: under certified timing the exact moment that its time rounds. Where it has none (a
+/// pair that never gets there; other rules say so) its recorded time stands for it.
 template <typename Number>
-Happening<Number> Checker<Number>::happening_of(const EventLine<Number>& event) {
-  Happening<Number> happening;
-  happening.t = event.t;
-  if (is_collision(event.kind)) {
-    happening.i = event.i;
-    happening.j = event.j;
-    happening.outer = event.kind != Kind::rebound;
+Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
+  const Context<Number>& c = context_;
+  if (event.kind == Kind::restitute) {
+    const Body<Number>* body = model_.groups.with_root(event.i, event.j);
+    if (body == nullptr) return known_turn(c, event.t, rank(event.kind), event.i);
+    Turn<Number> turn = turn_of(c, *body);
+    turn.t = event.t;
+    return turn;
+  }
+  if (is_phase(event.kind) || event.kind == Kind::scheduled_impulse) {
+    const bool is_known = is_phase(event.kind) ? model_.phases_done < model_.phase_changes.size()
+                                               : model_.impulses_done < model_.impulses.size();
+    if (!is_known) return known_turn(c, event.t, rank(event.kind));
+    Turn<Number> turn = is_phase(event.kind) ? turn_of_phase(c) : turn_of_impulse(c);
+    turn.t = event.t;
+    return turn;
   }
   if constexpr (std::is_same_v<Number, double>) {
-    if (timing_ != Timing::certified) return happening;
-    const auto known = [](const Instant<double>& t) { return Moment{t.hi, t.lo, std::nullopt, 1}; };
-    if (is_collision(event.kind)) {
-      const auto limit = limit_of(model_, event);
+    const auto limit = limit_of(model_, event);
+    if (c.certified() && limit) {
       const PairFlight<double> pair = pair_flight(model_, event.i, event.j);
-      if (!limit || event.t < pair.start) return happening;
-      const TimingQuery query = timing_query(pair, happening.outer, static_cast<double>(limit->L));
-      if (!valid(query)) return happening;
-      const TimingVerdict verdict = exact_.answer(query).verdict;
-      if (!occurs(verdict)) return happening;
-      const int multiple = limit->responded && verdict == TimingVerdict::turning ? 2 : 1;
-      happening.moment = Moment{pair.start.hi, pair.start.lo, query, multiple};
-    } else if (event.kind == Kind::restitute) {
-      const Body<double>* body = model_.groups.with_root(event.i, event.j);
-      happening.moment =
-          known(body != nullptr && !model_.groups.is_parting(body) ? expiry_of(model_, *body) : event.t);
-    } else if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) {
-      happening.moment =
-          known(known_time<double>(model_.phase_changes[model_.phases_done].at, model_.precision));
-    } else if (model_.impulses_done < model_.impulses.size()) {
-      happening.moment =
-          known(known_time<double>(model_.impulses[model_.impulses_done].at, model_.precision));
+      auto turn = detail::certified_turn(c, pair, event.i, event.j, *limit);
+      if (turn) {
+        turn->t = event.t;
+        return *turn;
+      }
     }
   }
-  return happening;
+  Turn<Number> turn = known_turn(c, event.t, rank(event.kind));
+  turn.first = event.i;
+  turn.second = event.j;
+  return turn;
 }
 
+/// Judges whether it was this event's turn, and whether that of anything known in advance had come before.
+/// The nodes of one restitution are one step.
 template <typename Number>
-void Checker<Number>::place(int i, const Instant<Number>& now) {
-  const Vec<W> x = model_.position(i, now);
-  const Flight<Number>& f = model_.flight(i);
-  Coordinates position{}, velocity{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    position[k] = static_cast<double>(x[k]);
-    velocity[k] = static_cast<double>(f.velocity[k]);
-  }
-  neighbours_.place(i, position, velocity, static_cast<double>(now.hi));
-}
-
-template <typename Number>
-void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
-                                    const Happening<Number>& happening) {
-  if (i == j) return;
-  const int a = std::min(i, j);
-  const int b = std::max(i, j);
-  const auto flight = std::tuple(a, b, model_.revisions[static_cast<std::size_t>(a)],
-                                 model_.revisions[static_cast<std::size_t>(b)]);
-  const auto known = told_.empty() ? told_.end() : told_.find(flight);
-  Told told = known == told_.end() ? Told{} : known->second;
-  const Asked asked = judge_pair(context_, a, b, until, happening, told);
-  earliest_held_ = earliest_held_ && asked.earliest;
-  bounds_held_ = bounds_held_ && asked.bounds;
-  if (asked.earliest && asked.bounds) return;
-  constexpr std::size_t kKept = 100'000;
-  if (told_.size() > kKept) told_.clear();
-  told_[flight] = told;
-}
-
-/// Everybody whom a particle can have met since the later of the two anchors, and its tethered partners.
-template <typename Number>
-void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
-                                     const Happening<Number>& happening) {
-  for (const int j : neighbours_.near(i)) judge_meeting(i, j, until, happening);
-  for (const int j : model_.tethers[static_cast<std::size_t>(i)]) judge_meeting(i, j, until, happening);
-  for (const int j : permanent_[static_cast<std::size_t>(i)]) judge_meeting(i, j, until, happening);
-}
-
-template <typename Number>
-void Checker<Number>::judge_everyone(const Instant<Number>& until, const Happening<Number>& happening) {
-  for (int i = 0; i < model_.size(); ++i) {
-    for (int j = i + 1; j < model_.size(); ++j) judge_meeting(i, j, until, happening);
-  }
-}
-
-/// Particles that leave their anchors are judged where they were and get new ones. Where that becomes endless
-/// (a long flight through a fine grid) everybody is asked once instead.
-template <typename Number>
-void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happening<Number>& happening) {
-  const double end = static_cast<double>(until.hi);
-  std::uint64_t left = 1000 + 64 * model_.flights.size();
-  while (const auto expired = neighbours_.expiry_until(end)) {
-    if (--left == 0) {
-      judge_everyone(until, happening);
-      for (int i = 0; i < model_.size(); ++i) place(i, until);
-      return;
-    }
-    const Instant<Number> now{Number(expired->t), Number(0)};
-    const Instant<Number>& since = model_.flight(expired->particle).since;
-    if (since < now) judge_meetings(expired->particle, now, happening);
-    place(expired->particle, since < now ? now : since);
-  }
+void Checker<Number>::take_turn(const EventLine<Number>& event) {
+  const Context<Number>& c = context_;
+  if (!model_.groups.parting().empty()) return;
+  ++step_;
+  const Turn<Number> turn = turn_of_event(event);
+  const auto changed_at = [this](int i) { return i < 0 ? StepNumber(0) : changed_at_[Model<Number>::at(i)]; };
+  StepNumber since = std::max(changed_at(turn.first), changed_at(turn.second));
+  if (is_phase(event.kind)) since = std::exchange(phase_at_, step_);
+  if (event.kind == Kind::scheduled_impulse) since = std::exchange(impulse_at_, step_);
+  if (event.t < model_.now) turns_.forget();
+  judge_turn(c, event, turn, turns_.latest_since(since));
+  turns_.happened(step_, turn);
+  judge_known_events(c, event, turn);
 }
 
 /// Who begins a new flight at an event: those listed; at a restitution both sides of the node.
@@ -167,6 +130,7 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
     return;
   }
   judge_free_velocities(c, event, *bodies_, expected_);
+  if (event.kind != Kind::broken) judge_direction(c, event, event.kind != Kind::rebound);
   if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_);
 }
 
@@ -176,10 +140,10 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   if (ended_) {
     tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
   }
-  const Happening<Number> happening = happening_of(event);
+  model_.asked = event.t;
   judge_order(c, event);
   judge_parting(c, event);
-  judge_known_events(c, event, happening);
+  take_turn(event);
   judge_flight(c, event);
   judge_bystanders(c, event);
   bodies_.reset();
@@ -206,6 +170,13 @@ void Checker<Number>::take(const EventLine<Number>& event) {
 
   earliest_held_ = bounds_held_ = true;
   if (!(event.t < model_.now)) {
+    Happening<Number> happening;
+    happening.t = event.t;
+    if (is_collision(event.kind)) {
+      happening.i = event.i;
+      happening.j = event.j;
+      happening.outer = event.kind != Kind::rebound;
+    }
     renew_anchors(event.t, happening);
     for (const int i : changing(event)) judge_meetings(i, event.t, happening);
   }
@@ -225,49 +196,6 @@ void Checker<Number>::take(const StateLine<Number>& state) {
   const Context<Number>& c = context_;
   if (minimal_) return;
   StateJudge<Number>(c, state).judge();
-}
-
-template <typename Number>
-void Checker<Number>::take(const EndLine<Number>& end) {
-  const Context<Number>& c = context_;
-  if (ended_) {
-    tally_.demand(Rule::end, false, [](Finding& f) { f.message = "a second end"; });
-    return;
-  }
-  ended_ = true;
-  judge_end(c, end);
-  Happening<Number> happening;
-  happening.t = end.t;
-  if (end.t < model_.now) return;
-  earliest_held_ = bounds_held_ = true;
-  EventLine<Number> nothing;
-  nothing.kind = Kind::broken;
-  nothing.t = end.t;
-  judge_parting(c, nothing);
-  if (end.reason == "duration") judge_known_events(c, nothing, happening);
-  if (end.reason == "no_more_events") {
-    const std::size_t waiting = model_.phase_changes.size() - model_.phases_done + model_.impulses.size() -
-                                model_.impulses_done + model_.groups.size();
-    tally_.demand(Rule::earliest, waiting == 0, [&](Finding& f) {
-      f.message = fmt::format(
-          "{} bodies, scheduled impulses or phase changes still wait, but no more events are claimed",
-          waiting);
-    });
-    constexpr int kAtMost = 20'000;
-    if (model_.size() > kAtMost) {
-      tally_.not_judged(Rule::end, "that nothing more happens is not judged for more than 20000 particles");
-    } else {
-      const Instant<Number> never{Number(std::numeric_limits<double>::max()), Number(0)};
-      happening.t = never;
-      happening.forever = true;
-      judge_everyone(never, happening);
-    }
-  } else {
-    renew_anchors(end.t, happening);
-    for (int i = 0; i < model_.size(); ++i) judge_meetings(i, end.t, happening);
-  }
-  if (earliest_held_) tally_.pass(Rule::earliest);
-  if (bounds_held_) tally_.pass(Rule::bounds);
 }
 
 template <typename Number>

@@ -6,6 +6,7 @@
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/model.hpp"
 #include "verify/trace_check/tally.hpp"
+#include "verify/trace_check/turns.hpp"
 
 namespace tps::check {
 
@@ -18,7 +19,10 @@ struct Context {
   Timing timing;
   bool minimal;
   certified::ExactTiming& exact;
+  const Turns<Number>& turns;
   std::function<std::string(const Instant<Number>&)> shown_time;  ///< on the scene's clock
+  int semantics = 0;       ///< of the trace (docs/decisions.md); 0: it does not say
+  bool own_draws = false;  ///< its draws are those of our generator
 
   W u() const { return model.precision.u; }
   W scale() const { return W(tally.tolerance()); }
@@ -36,6 +40,42 @@ struct Context {
   /// "3-7", by ids.
   std::string pair(int i, int j) const { return fmt::format("{}-{}", model.id(i), model.id(j)); }
 };
+
+/// A number in so many digits.
+template <typename W>
+std::string shown(const W& x, int digits) {
+  if constexpr (std::is_floating_point_v<W>) {
+    return fmt::format("{:.{}g}", x, digits);
+  } else {
+    return x.str(digits);
+  }
+}
+/// Two numbers of a message, in as many digits as it takes to tell them apart.
+template <typename W>
+std::pair<std::string, std::string> told_apart(const W& a, const W& b) {
+  for (const int digits : {9, 17, 21, 40, 110, 250}) {
+    std::string of_a = shown(a, digits);
+    std::string of_b = shown(b, digits);
+    if (of_a != of_b || digits == 250) return {std::move(of_a), std::move(of_b)};
+  }
+  return {};
+}
+/// The same of vectors of two or three components.
+template <typename W>
+std::pair<std::string, std::string> told_apart(const Vec<W>& a, const Vec<W>& b, int dimension) {
+  const auto spelt = [&](const Vec<W>& x, int digits) {
+    std::string text;
+    for (int k = 0; k < dimension; ++k)
+      text += (k == 0 ? "(" : ", ") + shown(x[static_cast<std::size_t>(k)], digits);
+    return text + ")";
+  };
+  for (const int digits : {9, 17, 21, 40, 110, 250}) {
+    std::string of_a = spelt(a, digits);
+    std::string of_b = spelt(b, digits);
+    if (of_a != of_b || digits == 250) return {std::move(of_a), std::move(of_b)};
+  }
+  return {};
+}
 
 /// A number in a message.
 template <typename W>

@@ -36,6 +36,7 @@ struct Quadratic {
   W a, h, c;
   W q_error;  ///< |q| at a time computed as a root of it is at most this
   W h_error;
+  W blur_error{0};  ///< part of q_error: of positions that are not known better
 
   W at(const W& t) const {
     const W distance = length(r + t * v);
@@ -65,7 +66,8 @@ Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& 
                  W(0),
                  W(0)};
   const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
-  q.q_error = scale * (rounding + W(2) * (L + flight.blur) * flight.blur);
+  q.blur_error = W(2) * (L + flight.blur) * flight.blur;
+  q.q_error = scale * (rounding + q.blur_error);
   q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed);
   return q;
 }

@@ -33,7 +33,7 @@ struct Body {
   std::vector<int> members;  ///< ascending
   Work<Number> inverse_mass;
   int loads = 0;
-  Instant<Number> loaded;  ///< its latest load: it expires Δt_restitute later
+  Instant<Number> expiry;  ///< Δt_restitute after its latest load
   Instant<Number> birth;   ///< its oldest load
 };
 
@@ -51,10 +51,12 @@ class GroupModel {
   bool together(int i, int j) const { return body(i) != nullptr && body(i) == body(j); }
 
   /// Makes one body of the sides of a node; sides of infinite mass have no members.
-  void load(std::unique_ptr<Node> node, Work<Number> inverse_mass, const Instant<Number>& now) {
+  void load(std::unique_ptr<Node> node, Work<Number> inverse_mass, const Instant<Number>& now,
+            const Instant<Number>& expiry) {
     auto joined = std::make_unique<Body<Number>>();
     joined->inverse_mass = inverse_mass;
-    joined->loaded = joined->birth = now;
+    joined->expiry = expiry;
+    joined->birth = now;
     joined->loads = 1;
     for (std::size_t side = 0; side < 2; ++side) {
       std::vector<int> merged;
@@ -72,8 +74,10 @@ class GroupModel {
     keep(std::move(joined));
   }
 
-  /// The live body whose expiry comes first, parting ones aside; null if there is none.
-  const Body<Number>* first_to_expire() const { return by_load_.empty() ? nullptr : by_load_.begin()->body; }
+  /// The live body whose turn to expire comes first, parting ones aside; null if there is none.
+  const Body<Number>* first_to_expire() const {
+    return by_expiry_.empty() ? nullptr : by_expiry_.begin()->body;
+  }
 
   /// Takes the root off the tree over particles i and j (which are its pair) and leaves its sides as bodies
   /// of their own, parting at once. REQUIRES body(i) or body(j) has such a root.
@@ -107,7 +111,7 @@ class GroupModel {
 
   /// A body whose expiry a broken trace has passed over is not waited for any more.
   void stop_waiting_for(const Body<Number>* body) {
-    by_load_.erase({body->loaded, body->members.front(), body});
+    by_expiry_.erase({body->expiry, body->members.front(), body});
   }
 
   /// Gives up what a broken trace has left half parted.
@@ -126,12 +130,12 @@ class GroupModel {
   }
 
  private:
-  struct ByLoad {
-    Instant<Number> loaded;
+  struct ByExpiry {
+    Instant<Number> expiry;
     int first;
     const Body<Number>* body;
-    bool operator<(const ByLoad& other) const {
-      if (loaded < other.loaded || other.loaded < loaded) return loaded < other.loaded;
+    bool operator<(const ByExpiry& other) const {
+      if (expiry < other.expiry || other.expiry < expiry) return expiry < other.expiry;
       return first < other.first;
     }
   };
@@ -140,20 +144,20 @@ class GroupModel {
 
   void keep(std::unique_ptr<Body<Number>> body) {
     for (const int member : body->members) body_of_[at(member)] = body.get();
-    if (parting_.count(body.get()) == 0) by_load_.insert({body->loaded, body->members.front(), body.get()});
+    if (parting_.count(body.get()) == 0) by_expiry_.insert({body->expiry, body->members.front(), body.get()});
     const Body<Number>* address = body.get();
     bodies_.emplace(address, std::move(body));
   }
   void drop(Body<Number>* body) {
     for (const int member : body->members) body_of_[at(member)] = nullptr;
-    by_load_.erase({body->loaded, body->members.front(), body});
+    by_expiry_.erase({body->expiry, body->members.front(), body});
     parting_.erase(body);
     bodies_.erase(body);
   }
 
   std::vector<Body<Number>*> body_of_;
   std::map<const Body<Number>*, std::unique_ptr<Body<Number>>> bodies_;
-  std::set<ByLoad> by_load_;
+  std::set<ByExpiry> by_expiry_;
   std::set<const Body<Number>*> parting_;
 };
 

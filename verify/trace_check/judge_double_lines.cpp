@@ -2,7 +2,6 @@
 
 namespace tps::check {
 
-template void judge_lines<double>(LineSource&, const TraceFacts&, const Precision<double>&, Tally&,
-                                  CheckReport&);
+template void judge_lines<double>(LineSource&, const std::vector<Judgement>&, const Precision<double>&);
 
 }  // namespace tps::check

@@ -3,11 +3,11 @@
 
 #include <functional>
 #include <string_view>
+#include <vector>
 
-#include "reference/engine/timing.hpp"
-#include "reference/scene/scene.hpp"
 #include "verify/trace_check/number.hpp"
 #include "verify/trace_check/tally.hpp"
+#include "verify/trace_check/trace_facts.hpp"
 
 namespace tps::check {
 
@@ -21,19 +21,19 @@ struct LineSource {
   std::function<bool(Text&)> next;
 };
 
-struct TraceFacts {
-  const Scene& scene;
-  Timing timing;
-  bool minimal;
+/// One way to take a trace, and where its verdicts go.
+struct Judgement {
+  TraceFacts facts;
+  Tally& tally;
+  CheckReport& report;
 };
 
-/// Judges every line. Counts lines, events and states in the report.
+/// Judges every line in each of the ways. Counts events and states in the reports; lines are counted in the
+/// first one, by the source.
 template <typename Number>
-void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision,
-                 Tally& tally, CheckReport& report);
+void judge_lines(LineSource& source, const std::vector<Judgement>& ways, const Precision<Number>& precision);
 
 /// For the scalars that are wider than double, by their names in trace headers.
-void judge_wide_lines(LineSource& source, const TraceFacts& facts, std::string_view scalar, Tally& tally,
-                      CheckReport& report);
+void judge_wide_lines(LineSource& source, const std::vector<Judgement>& ways, std::string_view scalar);
 
 }  // namespace tps::check

@@ -1,8 +1,11 @@
 // judge_lines, included by the instantiating sources only.
 #pragma once
 
+#include "verify/trace_check/checker_end_in.hpp"
 #include "verify/trace_check/checker_follow_in.hpp"
 #include "verify/trace_check/checker_in.hpp"
+#include "verify/trace_check/checker_meet_in.hpp"
+#include "verify/trace_check/decimal_digits.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 #include "verify/trace_check/read_line.hpp"
 
@@ -12,11 +15,11 @@ template <typename Number>
 class LineJudge {
  public:
   LineJudge(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally, CheckReport& report)
-      : scene_(facts.scene),
+      : facts_(facts),
         tally_(tally),
         report_(report),
         reading_(facts.scene, facts.minimal, precision.digits),
-        checker_(facts.scene, precision, facts.timing, facts.minimal, tally) {}
+        checker_(facts, precision, tally) {}
 
   void judge(const LineSource::Text& line) {
     tally_.step = {report_.lines, 0, {}, {}};
@@ -39,6 +42,12 @@ class LineJudge {
     tally_.step = {report_.lines, checker_.model().events, {}, {}};
     checker_.close();
     report_.certified_comparisons = checker_.exact_comparisons();
+    if (!facts_.minimal && report_.states == 0)
+      tally_.not_judged(Rule::states, "the trace has no full states to judge");
+    if (!facts_.own_draws && has_draws_)
+      tally_.not_judged(Rule::tethers, "the draws are taken as given, only their use is judged");
+    const auto advice = digits_.advice();
+    if (advice && report_.violated() > 0) report_.notes.push_back(*advice);
   }
 
  private:
@@ -55,6 +64,15 @@ class LineJudge {
     for (const int n : {event.i, event.j}) {
       if (n >= 0) tally_.step.particles.push_back(checker_.model().id(n));
     }
+    has_draws_ = has_draws_ || event.draw.has_value();
+    digits_.add(DecimalDigits::times, rough(event.t).hi + facts_.scene.start_time);
+    for (const InvolvedParticle<Number>& p : event.involved) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        digits_.add(DecimalDigits::velocities, static_cast<double>(p.velocity_after[k]));
+        if (p.position_after)
+          digits_.add(DecimalDigits::positions, static_cast<double>((*p.position_after)[k]));
+      }
+    }
     checker_.take(event);
   }
   void take(const StateLine<Number>& state) {
@@ -68,7 +86,9 @@ class LineJudge {
     checker_.take(end);
   }
 
-  const Scene& scene_;
+  const TraceFacts facts_;
+  bool has_draws_ = false;
+  DecimalDigits digits_;
   Tally& tally_;
   CheckReport& report_;
   LineReading<Number> reading_;
@@ -76,12 +96,18 @@ class LineJudge {
 };
 
 template <typename Number>
-void judge_lines(LineSource& source, const TraceFacts& facts, const Precision<Number>& precision,
-                 Tally& tally, CheckReport& report) {
-  LineJudge<Number> judge(facts, precision, tally, report);
+void judge_lines(LineSource& source, const std::vector<Judgement>& ways, const Precision<Number>& precision) {
+  std::vector<std::unique_ptr<LineJudge<Number>>> judges;
+  for (const Judgement& way : ways)
+    judges.push_back(std::make_unique<LineJudge<Number>>(way.facts, precision, way.tally, way.report));
   LineSource::Text line;
-  while (source.next(line)) judge.judge(line);
-  judge.close();
+  while (source.next(line)) {
+    for (std::size_t n = 0; n < ways.size(); ++n) {
+      ways[n].report.lines = ways.front().report.lines;
+      judges[n]->judge(line);
+    }
+  }
+  for (const auto& judge : judges) judge->close();
 }
 
 }  // namespace tps::check

@@ -29,9 +29,8 @@ Precision<Wide> precision_named(std::string_view scalar) {
 
 }  // namespace
 
-void judge_wide_lines(LineSource& source, const TraceFacts& facts, std::string_view scalar, Tally& tally,
-                      CheckReport& report) {
-  judge_lines<Wide>(source, facts, precision_named(scalar), tally, report);
+void judge_wide_lines(LineSource& source, const std::vector<Judgement>& ways, std::string_view scalar) {
+  judge_lines<Wide>(source, ways, precision_named(scalar));
 }
 
 }  // namespace tps::check

@@ -83,7 +83,8 @@ class LineValues {
     if constexpr (std::is_same_v<Number, double>) {
       return digits_ >= 53 || static_cast<double>(static_cast<float>(value)) == value;
     } else {
-      return significant_bits(*split_hex(hex)) <= digits_;
+      const std::optional<HexDigits> digits = split_hex(hex);  // none in "inf"
+      return !digits || significant_bits(*digits) <= digits_;
     }
   }
 

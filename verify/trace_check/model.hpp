@@ -18,7 +18,8 @@ template <typename Number>
 struct Flight {
   Vec<Number> position, velocity;
   Instant<Number> since;
-  Work<Number> blur{0};  ///< how far the position may be off: where the trace does not record it
+  Work<Number> blur{0};      ///< how far the position may be off: where the trace does not record it
+  std::uint64_t events = 0;  ///< of the run when it began
 };
 
 template <typename Number>
@@ -53,10 +54,10 @@ class Model {
   const Scene& scene;
   const Precision<Number> precision;
   RuleTable<Number> rules;
+  bool eager = false;  ///< everybody is advanced, and rounded, at every event
   std::vector<Flight<Number>> flights;
-  std::vector<std::uint32_t> revisions;  ///< of the particles: raised with every new flight
-  std::vector<W> inverse_masses;         ///< 0 for an infinite mass
-  std::vector<std::set<int>> tethers;    ///< formed or listed, by particle
+  std::vector<W> inverse_masses;       ///< 0 for an infinite mass
+  std::vector<std::set<int>> tethers;  ///< formed or listed, by particle
   GroupModel<Number> groups;
   std::vector<PhaseChange> phase_changes;  ///< in their order
   std::vector<ScheduledImpulse> impulses;  ///< in their order
@@ -64,7 +65,8 @@ class Model {
   std::map<std::array<int, 3>, std::uint32_t> draws;
   std::map<std::string, std::uint64_t> kinds;
   std::uint64_t events = 0;
-  Instant<Number> now, last_event;
+  Instant<Number> now;               ///< of the last event
+  Instant<Number> asked;             ///< of the line that is being judged
   std::uint64_t progress_event = 0;  ///< the last one at which the clock's first part moved
 
   int size() const { return static_cast<int>(flights.size()); }
@@ -105,15 +107,36 @@ class Model {
     return widened<W>(f.position) + dt * widened<W>(f.velocity);
   }
 
+  /// How far a particle may be from its straight line by the event that is being judged, `asked`.
+  ///
+  /// A run that advances everybody at every event rounds x and v dt each time, and t as well: n (u |x| + u
+  /// |t| |v|) + 2 u |v| (t − t₀) after n events, |x| at its ends, since the flight is straight.
+  W blur(int i) const {
+    const Flight<Number>& f = flight(i);
+    if (!eager || fixed(i)) return f.blur;
+    const W n(events + 1 - std::min(f.events, events));
+    const W speed = length(widened<W>(f.velocity));
+    const W dt = elapsed(f.since, asked);
+    const W farthest = std::max(length(widened<W>(f.position)), length(position(i, asked)));
+    const W times = W(scene.start_time < 0 ? -scene.start_time : scene.start_time) + W(asked.hi);
+    return f.blur + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
+  }
+
   /// Pairs that have responded at a limit and cannot be there again (semantics §1).
   bool responded(int i, int j, bool outer) const {
     return has_responded(i, j, outer) && has_responded(j, i, outer);
   }
-  void note_response(int i, int j, bool outer) {
-    if (!fixed(i)) responded_[at(i)].insert({j, outer});
-    if (!fixed(j)) responded_[at(j)].insert({i, outer});
+  /// `speeds` are those of the two before it: what its roundings are of.
+  void note_response(int i, int j, bool outer, const W& speeds) {
+    if (!fixed(i)) responded_[at(i)][{j, outer}] = speeds;
+    if (!fixed(j)) responded_[at(j)][{i, outer}] = speeds;
   }
-  const std::set<std::pair<int, bool>>& responses(int i) const { return responded_[at(i)]; }
+  using Responses = std::map<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
+  const Responses& responses(int i) const { return responded_[at(i)]; }
+  /// REQUIRES responded(i, j, outer), and not both of infinite mass.
+  const W& speeds_before_response(int i, int j, bool outer) const {
+    return fixed(i) ? responded_[at(j)].at({i, outer}) : responded_[at(i)].at({j, outer});
+  }
 
   /// Begins a new flight. A fixed particle keeps its own.
   void set_flight(int i, const Vec<Number>& position, const Vec<Number>& velocity, const Instant<Number>& t,
@@ -121,9 +144,8 @@ class Model {
     if (fixed(i)) return;
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
-    f = {position, velocity, t, blur};
+    f = {position, velocity, t, blur, events + 1};
     if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
-    ++revisions[at(i)];
   }
 
   void apply_phase_change();
@@ -136,7 +158,7 @@ class Model {
   }
 
   std::vector<Flight<double>> rough_flights_;  ///< where Number is not double
-  std::vector<std::set<std::pair<int, bool>>> responded_;
+  std::vector<Responses> responded_;
   std::vector<bool> phase_is_open_;
 };
 
@@ -145,7 +167,6 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
     : scene(scene_in),
       precision(precision_in),
       rules(scene_in, precision_in),
-      revisions(scene_in.particles.size(), 0),
       tethers(scene_in.particles.size()),
       groups(scene_in.particles.size()),
       impulses(scene_in.impulses),

@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t kFew = 48;
 /// So many may reach farther than a cell.
 constexpr std::size_t kFarReaching = 8;
-/// Cells are counted in 31 bits; beyond that particles share the outermost one.
-constexpr double kLastCell = 1e9;
+/// Between these every quotient and sum of the grid has its full precision.
+constexpr double kSmallestCell = 0x1p-900;
+constexpr double kLargestCell = 0x1p900;
 
 /// The largest blocking distance between particles of the species marked.
 double largest_distance(const Scene& scene, const std::vector<bool>& species) {
@@ -26,24 +27,26 @@ double largest_distance(const Scene& scene, const std::vector<bool>& species) {
   return result;
 }
 
-/// The side of a cube of space for each particle, by the box around their starts.
-double spacing(const Scene& scene, const std::vector<bool>& in_grid) {
-  double volume = 1;
-  std::size_t count = 0;
-  for (int k = 0; k < scene.dimension; ++k) {
+/// The side of a cube of space for each particle, by the box around their starts. Roots are taken one by one:
+/// a product of extents may leave the range.
+double spacing(const Scene& scene, const std::vector<int>& particles) {
+  double side = 1 / std::pow(static_cast<double>(particles.size()), 1.0 / scene.dimension);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dimension); ++k) {
     double low = HUGE_VAL;
     double high = -HUGE_VAL;
-    count = 0;
-    for (std::size_t n = 0; n < scene.particles.size(); ++n) {
-      if (!in_grid[n]) continue;
-      const double x = scene.particles[n].position[static_cast<std::size_t>(k)];
+    for (const int n : particles) {
+      const double x = scene.particles[static_cast<std::size_t>(n)].position[k];
       low = std::min(low, x);
       high = std::max(high, x);
-      ++count;
     }
-    volume *= std::max(high - low, 0.0);
+    side *= std::pow(high / 2 - low / 2, 1.0 / scene.dimension);
   }
-  return count == 0 ? 0 : std::pow(volume / static_cast<double>(count), 1.0 / scene.dimension);
+  return 2 * side;
+}
+
+void take_out(std::vector<int>& list, int i) {
+  *std::find(list.begin(), list.end(), i) = list.back();
+  list.pop_back();
 }
 
 }  // namespace
@@ -54,75 +57,88 @@ std::size_t Neighbours::HashOfCell::operator()(const Cell& cell) const {
   return hash ^ (hash >> 32U);
 }
 
-Neighbours::Neighbours(const Scene& scene)
+Neighbours::Neighbours(const Scene& scene, double u)
     : dimension_(scene.dimension),
-      in_grid_(scene.particles.size(), false),
+      reaches_far_(scene.particles.size(), false),
       everyone_(scene.particles.size()),
+      u_(u),
+      margin_(std::max(0x1p-20, 0x1p18 * u)),
       anchors_(scene.particles.size()) {
   std::iota(everyone_.begin(), everyone_.end(), 0);
+  divide(scene);
   if (scene.particles.size() > kFew) choose_cells(scene);
 }
 
-/// Leaves out of the grid the few particles that reach far, and makes cells as large as the others need.
-void Neighbours::choose_cells(const Scene& scene) {
+/// Tells apart the few particles that reach far.
+void Neighbours::divide(const Scene& scene) {
   std::vector<std::size_t> population(scene.species.size(), 0);
   for (const Particle& p : scene.particles) ++population[static_cast<std::size_t>(p.species)];
   std::vector<bool> species(scene.species.size(), true);
   std::size_t left_out = 0;
   while (true) {
-    const double reach = largest_distance(scene, species);
+    reach_ = largest_distance(scene, species);
     std::size_t rarest = species.size();
     for (const PairLaw& law : scene.pairs) {
-      if (!law.blocking || law.blocking->distance < reach) continue;
+      if (!law.blocking || law.blocking->distance < reach_) continue;
       for (const int s : {law.species_a, law.species_b}) {
         const auto candidate = static_cast<std::size_t>(s);
         if (!species[candidate]) continue;
         if (rarest == species.size() || population[candidate] < population[rarest]) rarest = candidate;
       }
     }
-    if (reach == 0 || rarest == species.size() || left_out + population[rarest] > kFarReaching) break;
+    if (reach_ == 0 || rarest == species.size() || left_out + population[rarest] > kFarReaching) break;
     species[rarest] = false;
     left_out += population[rarest];
   }
   for (std::size_t n = 0; n < scene.particles.size(); ++n) {
-    in_grid_[n] = species[static_cast<std::size_t>(scene.particles[n].species)];
-    if (!in_grid_[n]) outside_grid_.push_back(static_cast<int>(n));
+    reaches_far_[n] = !species[static_cast<std::size_t>(scene.particles[n].species)];
+    (reaches_far_[n] ? far_reaching_ : short_reaching_).push_back(static_cast<int>(n));
   }
-  const double reach = largest_distance(scene, species);
-  if (reach == 0) return;
-  cell_ = std::max(1.5 * reach, spacing(scene, in_grid_));
-  // The grid computes in double what the check knows better: a part in 10^6 pays for that.
-  slack_ = (cell_ * (1 - 1e-6) - reach) / 2;
-  if (slack_ > 0 && std::isfinite(cell_)) return;
-  cell_ = 0;
-  in_grid_.assign(in_grid_.size(), false);
+}
+
+/// Makes cells as large as those who are in them need. Where doubles have no such cells there are none.
+void Neighbours::choose_cells(const Scene& scene) {
+  in_cells_ = true;
+  if (reach_ == 0) return;  // nobody has to be looked for
+  cell_ = std::max(1.5 * reach_, spacing(scene, short_reaching_));
+  slack_ = (cell_ * (1 - margin_) - reach_) / 2;
+  in_cells_ = slack_ > 0 && cell_ > kSmallestCell && cell_ < kLargestCell;
 }
 
 void Neighbours::remove(int i) {
   Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (!anchor.placed) return;
-  const auto cell = cells_.find(anchor.cell);
-  std::vector<int>& inside = cell->second;
-  *std::find(inside.begin(), inside.end(), i) = inside.back();
-  inside.pop_back();
-  if (inside.empty()) cells_.erase(cell);
-  anchor.placed = false;
+  if (anchor.loose) take_out(loose_, i);
+  if (anchor.placed) {
+    const auto cell = cells_.find(anchor.cell);
+    take_out(cell->second, i);
+    if (cell->second.empty()) cells_.erase(cell);
+  }
+  anchor.placed = anchor.loose = false;
 }
 
 void Neighbours::place(int i, const Coordinates& position, const Coordinates& velocity, double now) {
-  if (cell_ == 0 || !in_grid_[static_cast<std::size_t>(i)]) return;
+  if (!in_cells_ || cell_ == 0 || reaches_far_[static_cast<std::size_t>(i)]) return;
   remove(i);
   Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
+  ++anchor.number;
+  const double speed = std::hypot(velocity[0], velocity[1], velocity[2]);
+  const double leaves = now + slack_ / speed;
+  anchor.expires = speed > 0 ? leaves - 8 * u_ * leaves : HUGE_VAL;
+  // So far out a position has few enough roundings for the margin: six of the coordinates that led to it.
+  const double last_cell = margin_ / (32 * u_);
+  bool is_somewhere = anchor.expires > now;
   for (std::size_t k = 0; k < 3; ++k) {
     const double place = std::floor(position[k] / cell_);
-    anchor.cell[k] =
-        static_cast<std::int32_t>(std::clamp(std::isnan(place) ? 0 : place, -kLastCell, kLastCell));
+    is_somewhere = is_somewhere && std::fabs(place) < last_cell;
+    anchor.cell[k] = is_somewhere ? static_cast<std::int32_t>(place) : 0;
+  }
+  if (!is_somewhere) {
+    anchor.loose = true;
+    loose_.push_back(i);
+    return;
   }
   anchor.placed = true;
-  ++anchor.number;
   cells_[anchor.cell].push_back(i);
-  const double speed = std::hypot(velocity[0], velocity[1], velocity[2]);
-  anchor.expires = speed > 0 ? std::nextafter(now + slack_ / speed, -HUGE_VAL) : HUGE_VAL;
   if (std::isinf(anchor.expires)) return;
   expiries_.push({anchor.expires, i, anchor.number});
   if (expiries_.size() > 4 * anchors_.size()) forget_old_expiries();
@@ -151,9 +167,10 @@ std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
 
 const std::vector<int>& Neighbours::near(int i) {
   const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (!in_grid_[static_cast<std::size_t>(i)]) return everyone_;
-  if (!anchor.placed) return outside_grid_;
-  found_ = outside_grid_;
+  if (!in_cells_ || anchor.loose || reaches_far_[static_cast<std::size_t>(i)]) return everyone_;
+  found_ = far_reaching_;
+  if (!anchor.placed) return found_;
+  found_.insert(found_.end(), loose_.begin(), loose_.end());
   const std::int32_t deep = dimension_ == 3 ? 1 : 0;
   for (std::int32_t x = -1; x <= 1; ++x) {
     for (std::int32_t y = -1; y <= 1; ++y) {

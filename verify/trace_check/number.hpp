@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace tps::check {
 
@@ -19,6 +20,8 @@ struct WorkOf<double> {
 };
 template <typename Number>
 using Work = typename WorkOf<Number>::type;
+
+constexpr double kRightAngle = 1.5707963267948966;
 
 /// A position, velocity or impulse; planar ones have z = 0.
 template <typename T>
@@ -97,17 +100,36 @@ struct Precision {
   bool is_float = false;  ///< stored in double, computed in float
 };
 
-/// A time rounded to the scalar: what a clock of one number would show.
+/// A time as a run of floats has it, hi the nearest float. The sum of two floats may take more bits than a
+/// double has; where the first of them is in the middle between two floats, the rest decides.
+inline Instant<float> in_floats(const Instant<double>& t) {
+  const auto nearest = static_cast<float>(t.hi);
+  const auto rest_of = [&](float hi) { return (t.hi - static_cast<double>(hi)) + t.lo; };
+  float hi = nearest;
+  for (const float towards : {-HUGE_VALF, HUGE_VALF}) {
+    const float other = std::nextafter(nearest, towards);
+    if (std::fabs(rest_of(other)) < std::fabs(rest_of(hi))) hi = other;
+  }
+  return {hi, static_cast<float>(rest_of(hi))};
+}
+
+/// A time rounded to the scalar, to even where it is in the middle: what a clock of one number would show.
 template <typename Number>
 Number reading(const Instant<Number>& t, const Precision<Number>& precision) {
   using std::floor;
   using std::frexp;
   using std::ldexp;
-  if (precision.is_float) return Number(static_cast<float>(static_cast<double>(t.hi)));
-  if (precision.digits == 53) return t.hi;
-  int exponent = 0;
-  const Number fraction = frexp(t.hi, &exponent);
-  return ldexp(Number(floor(ldexp(fraction, precision.digits) + Number(0.5))), exponent - precision.digits);
+  if constexpr (std::is_same_v<Number, double>) {
+    return precision.is_float ? static_cast<double>(in_floats(t).hi) : t.hi;
+  } else {
+    int exponent = 0;
+    const Number scaled = ldexp(Number(frexp(t.hi, &exponent)), precision.digits);
+    Number whole = floor(scaled);
+    const Number rest = scaled - whole;
+    const bool is_odd = Number(floor(whole / 2)) * 2 != whole;
+    if (rest > Number(0.5) || (rest == Number(0.5) && is_odd)) whole += 1;
+    return ldexp(whole, exponent - precision.digits);
+  }
 }
 
 }  // namespace tps::check

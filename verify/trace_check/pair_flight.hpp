@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "reference/engine/clock.hpp"
 #include "reference/equations/timing_query.hpp"
 #include "verify/exact/double_word.hpp"
 #include "verify/trace_check/due.hpp"
@@ -23,12 +24,14 @@ struct PairFlight {
   }
 };
 
-/// u + v dt in a scalar of the hardware, stored in doubles: a rounding each.
+/// u + v dt in a scalar of the hardware, stored in doubles: a rounding each. dt is a difference of times that
+/// is rounded as the run's clock rounds it: of two sums of floats that is not always the nearest float.
 template <typename Scalar>
-Vec<double> carried_in(const Flight<double>& f, double dt) {
+Vec<double> carried_in(const Flight<double>& f, const Instant<Scalar>& since, const Instant<Scalar>& t) {
+  const Scalar dt = elapsed(Time<Scalar>{since.hi, since.lo}, Time<Scalar>{t.hi, t.lo});
   Vec<double> x;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Scalar step = static_cast<Scalar>(f.velocity[k]) * static_cast<Scalar>(dt);
+    const Scalar step = static_cast<Scalar>(f.velocity[k]) * dt;
     x[k] = static_cast<Scalar>(f.position[k]) + step;
   }
   return x;
@@ -41,9 +44,8 @@ Vec<Number> carried(const Flight<Number>& f, const Instant<Number>& t, const Pre
                     Work<Number>& blur) {
   if (f.since == t) return f.position;
   if constexpr (std::is_same_v<Number, double>) {
-    const exact::DoubleWord apart = exact::two_sum(t.hi, -f.since.hi);
-    const double dt = apart.hi + (apart.lo + (t.lo - f.since.lo));
-    return precision.is_float ? carried_in<float>(f, dt) : carried_in<double>(f, dt);
+    if (precision.is_float) return carried_in<float>(f, in_floats(f.since), in_floats(t));
+    return carried_in<double>(f, f.since, t);
   } else {
     const Number dt = elapsed(f.since, t);
     const Vec<Number> step = dt * f.velocity;
@@ -59,7 +61,7 @@ PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j) {
   const Flight<Number>& b = model.flight(j);
   PairFlight<Number> pair;
   pair.start = a.since < b.since ? b.since : a.since;
-  pair.blur = a.blur + b.blur;
+  pair.blur = model.blur(i) + model.blur(j);
   pair.u_i = carried(a, pair.start, model.precision, pair.blur);
   pair.u_j = carried(b, pair.start, model.precision, pair.blur);
   pair.v_i = a.velocity;

@@ -29,7 +29,8 @@ struct PairRules {
   bool can_tether = false, permanent = false;
   Number outer{0}, c_retract{0}, c_revolve{0}, theta_deg{0};
   Work<Number> tan_theta{0};
-  Work<Number> speed_ratio{0};  ///< c_revolve^(θ/π)
+  Work<Number> speed_ratio{0};        ///< c_revolve^(θ/π)
+  Work<Number> exponent_of_ratio{0};  ///< |ln| of it: what its relative error is of that of the exponent
   FormRule form;
   BreakRule breaks;
 };
@@ -65,6 +66,7 @@ class RuleTable {
  private:
   static void add_tethering(PairRules<Number>& rules, const TetheringLaw& law,
                             const Precision<Number>& precision) {
+    using std::log;
     using std::pow;
     using std::tan;
     using W = Work<Number>;
@@ -83,7 +85,9 @@ class RuleTable {
     const W theta(rules.theta_deg);
     // Above 45° by the complement, which is exact in degrees.
     rules.tan_theta = theta > W(45) ? W(1) / W(tan(W(W(90) - theta) * radian)) : W(tan(W(theta * radian)));
-    rules.speed_ratio = rules.c_revolve == Number(0) ? W(0) : W(pow(W(rules.c_revolve), W(theta / W(180))));
+    if (rules.c_revolve == Number(0)) return;
+    rules.speed_ratio = W(pow(W(rules.c_revolve), W(theta / W(180))));
+    rules.exponent_of_ratio = -W(log(W(rules.c_revolve))) * theta / W(180);
   }
   static Work<Number> atan_of_one() {
     using std::atan;

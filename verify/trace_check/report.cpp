@@ -21,35 +21,49 @@ std::uint64_t CheckReport::violated() const {
 std::uint64_t CheckReport::undecided() const {
   return total(rules, &RuleResult::undecided);
 }
+bool CheckReport::partial() const {
+  return std::ranges::any_of(
+      rules, [](const RuleResult& r) { return r.rule != Rule::bias && !r.not_judged.empty(); });
+}
 bool CheckReport::inconclusive() const {
   return conforming() && undecided() > std::max<std::uint64_t>(2, events / 100);
 }
 
-/// The mean is the least-squares estimate of b in y = b x + rounding. Five standard errors away from zero and
-/// beyond the smallest that counts, of 10^4 residuals at least, it is a bias: chance has that once in two
-/// million sums. Correctly rounded times have none; stable and printed formulas have up to 0.13 u of their
-/// own.
+/// Five standard errors away from zero and beyond the smallest that counts, of 10^4 residuals and 10^3
+/// independent ones at least, it is a bias: chance has that once in two million sums. Correctly rounded times
+/// have none; stable and printed formulas have up to 0.13 u of their own.
 void Tally::close_sums() {
   constexpr std::uint64_t kEnough = 10'000;
+  constexpr double kIndependent = 1000;
   constexpr double kErrors = 5;
   const double kSmallest = report_.timing == "certified" ? 0.05 : 0.25;
   bool judged = false;
-  for (const auto& [quantity, m] : moments_) {
-    if (m.xx == 0) continue;
-    const double mean = m.xy / m.xx;
-    const double variance =
-        std::max(0.0, m.yy - mean * m.xy) / static_cast<double>(std::max<std::uint64_t>(1, m.count - 1));
-    const double error = std::sqrt(variance / m.xx);
-    report_.sums.push_back({quantity, m.count, mean, error});
-    if (m.count < kEnough) continue;
+  std::string repeating;
+  for (const auto& [quantity, residuals] : residuals_) {
+    const double mean = residuals.mean();
+    const double error = residuals.standard_error();
+    const double independent = residuals.independent();
+    report_.sums.push_back({quantity, residuals.count(), mean, error, independent});
+    if (residuals.count() < kEnough) continue;
+    if (independent < kIndependent) {
+      repeating += fmt::format("{}the {} repeats itself: of {} residuals only {:.0f} are independent",
+                               repeating.empty() ? "" : "; ", quantity, residuals.count(), independent);
+      continue;
+    }
     judged = true;
     step = {report_.lines, report_.events, {}, {}};
     demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_, [&](Finding& f) {
-      f.message = "residuals of the " + quantity + " have a mean of " + std::to_string(mean) +
-                  " u with a standard error of " + std::to_string(error);
+      f.message = fmt::format("residuals of the {} have a mean of {} u with a standard error of {}", quantity,
+                              mean, error);
     });
   }
-  if (!judged) not_judged(Rule::bias, "fewer than 10000 residuals");
+  if (!judged && repeating.empty()) not_judged(Rule::bias, "fewer than 10000 residuals");
+  if (!repeating.empty()) not_judged(Rule::bias, repeating);
+  for (const auto& [rule, where] : vague_) {
+    RuleResult& result = of(rule);
+    const std::string steps = result.vague == 1 ? "1 step" : fmt::format("{} steps", result.vague);
+    result.not_judged += fmt::format("{}{}, {}", result.not_judged.empty() ? "" : "; ", steps, where);
+  }
 }
 
 }  // namespace tps::check

@@ -29,6 +29,7 @@ struct Finding {
   std::vector<std::int32_t> particles;
   std::string message;        ///< what was found, what is allowed
   std::string equation;       ///< "(4)", "(2)"; empty where none is concerned
+  std::string reading;        ///< of the paper that would explain it: "D9: …"; empty where none is known
   std::optional<double> off;  ///< in ulps of the quantity
   std::optional<double> allowed;
   std::optional<Replay> replay;
@@ -39,9 +40,10 @@ struct RuleResult {
   std::uint64_t passed = 0;
   std::uint64_t violated = 0;
   std::uint64_t undecided = 0;
-  std::string not_judged;  ///< why the rule, or a part of it, could not be judged; empty if it could
-  double worst = 0;        ///< the largest share of its bound that a passing step used up
-  double worst_off = 0;    ///< the same in ulps
+  std::string not_judged;   ///< why the rule, or a part of it, could not be judged; empty if it could
+  std::uint64_t vague = 0;  ///< steps where the trace is too uncertain to judge it
+  double worst = 0;         ///< the largest share of its bound that a passing step used up
+  double worst_off = 0;     ///< the same in ulps
   double worst_allowed = 0;
 };
 
@@ -51,6 +53,7 @@ struct ResidualSum {
   std::uint64_t count = 0;
   double mean = 0;  ///< in ulps
   double standard_error = 0;
+  double independent = 0;  ///< residuals, those of like events counted once
 };
 
 struct CheckReport {
@@ -65,6 +68,8 @@ struct CheckReport {
   std::array<RuleResult, kRules> rules;
   std::vector<Finding> findings;  ///< in the order of the trace, max_reports for each rule
   std::vector<ResidualSum> sums;
+  std::vector<std::string>
+      notes;  ///< on the trace as a whole: how it was read, what may explain its findings
   std::uint64_t certified_comparisons = 0;  ///< orders that integers or double words had to decide
 
   const RuleResult& of(Rule rule) const { return rules[static_cast<std::size_t>(rule)]; }
@@ -75,6 +80,8 @@ struct CheckReport {
   /// Nothing is violated, but too much is left open to say so: more undecided steps than one in a hundred,
   /// and more than two.
   bool inconclusive() const;
+  /// Nothing is violated, but a rule about steps could not judge some of them (bias is about the whole run).
+  bool partial() const;
 };
 
 std::string report_text(const CheckReport& report);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/trace_check/report.hpp"
 
 namespace tps::check {
@@ -29,6 +30,7 @@ Json finding_json(const Finding& f) {
               {"particles", f.particles},
               {"message", f.message}};
   if (!f.equation.empty()) result["equation"] = f.equation;
+  if (!f.reading.empty()) result["reading"] = f.reading;
   result["page"] = fmt::format("docs/check.md#{}", name(f.rule));
   if (f.off) result["off_ulps"] = *f.off;
   if (f.allowed) result["allowed_ulps"] = *f.allowed;
@@ -45,8 +47,11 @@ std::string report_json(const CheckReport& r) {
   for (const Finding& finding : r.findings) findings.push_back(finding_json(finding));
   Json sums = Json::array();
   for (const ResidualSum& s : r.sums) {
-    sums.push_back(
-        {{"of", s.of}, {"count", s.count}, {"mean_ulps", s.mean}, {"standard_error_ulps", s.standard_error}});
+    sums.push_back({{"of", s.of},
+                    {"count", s.count},
+                    {"mean_ulps", s.mean},
+                    {"standard_error_ulps", s.standard_error},
+                    {"independent", s.independent}});
   }
   const Json result{{"trace", r.file},
                     {"title", r.title},
@@ -62,14 +67,16 @@ std::string report_json(const CheckReport& r) {
                     {"tolerance", r.tolerance},
                     {"conforming", r.conforming()},
                     {"inconclusive", r.inconclusive()},
+                    {"partial", r.partial()},
                     {"violated", r.violated()},
                     {"undecided", r.undecided()},
                     {"certified_comparisons", r.certified_comparisons},
                     {"seconds", r.seconds},
                     {"rules", rules},
                     {"findings", findings},
-                    {"residuals", sums}};
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                    {"residuals", sums},
+                    {"notes", r.notes}};
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace tps::check

@@ -2,36 +2,18 @@
 
 #include <iterator>
 
+#include "reference/text/printable.hpp"
 #include "verify/trace_check/report.hpp"
 
 namespace tps::check {
 namespace {
 
-/// Text as XML wants it; control characters, which XML cannot hold, become question marks.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
-      result += '?';
-    else
-      result += c;
-  }
-  return result;
-}
-
 std::string details_of(const CheckReport& report, Rule rule, Outcome outcome) {
   std::string text;
   for (const Finding& f : report.findings) {
     if (f.rule != rule || f.outcome != outcome) continue;
-    fmt::format_to(std::back_inserter(text), "{}:{}: {}\n", report.file, f.line, f.message);
+    fmt::format_to(std::back_inserter(text), "{}:{}: {}\n", printable(report.file), f.line,
+                   printable(f.message));
   }
   return text;
 }
@@ -49,13 +31,15 @@ std::string report_junit(const CheckReport& r) {
     if (rule.violated > 0) {
       ++failures;
       fmt::format_to(out, "><failure message=\"{} violated\">{}</failure></testcase>\n", rule.violated,
-                     escaped(details_of(r, rule.rule, Outcome::violated)));
+                     xml_text(details_of(r, rule.rule, Outcome::violated)));
     } else if (rule.passed == 0 || rule.undecided > 0) {
       ++skipped;
       const std::string why = rule.undecided > 0        ? fmt::format("{} undecided", rule.undecided)
                               : rule.not_judged.empty() ? std::string("nothing of the kind happened")
                                                         : rule.not_judged;
-      fmt::format_to(out, "><skipped message=\"{}\"/></testcase>\n", escaped(why));
+      fmt::format_to(out, "><skipped message=\"{}\"/></testcase>\n", xml_text(why));
+    } else if (!rule.not_judged.empty()) {
+      fmt::format_to(out, "><system-out>not judged: {}</system-out></testcase>\n", xml_text(rule.not_judged));
     } else {
       cases += "/>\n";
     }
@@ -64,7 +48,7 @@ std::string report_junit(const CheckReport& r) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
       "skipped=\"{}\" "
       "time=\"{:.3f}\">\n{}</testsuite>\n",
-      escaped(r.file), kRules, failures, skipped, r.seconds, cases);
+      xml_text(printable(r.file)), kRules, failures, skipped, r.seconds, cases);
 }
 
 }  // namespace tps::check

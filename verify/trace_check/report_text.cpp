@@ -1,16 +1,31 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
+#include "reference/text/printable.hpp"
 #include "verify/trace_check/report.hpp"
 
 namespace tps::check {
 namespace {
 
+constexpr std::size_t kLongestTitle = 200;
+
 std::string verdict_of(const RuleResult& rule) {
   if (rule.violated > 0) return "VIOLATED";
   if (rule.undecided > 0) return "undecided";
-  return rule.passed > 0 ? "pass" : "-";
+  if (rule.passed > 0) return "pass";
+  return rule.not_judged.empty() ? "no case" : "not judged";
+}
+
+/// Two margins in as many digits as it takes to tell them apart.
+std::pair<std::string, std::string> told_apart(double a, double b) {
+  for (const int digits : {3, 9}) {
+    std::string of_a = fmt::format("{:.{}g}", a, digits);
+    std::string of_b = fmt::format("{:.{}g}", b, digits);
+    if (of_a != of_b) return {std::move(of_a), std::move(of_b)};
+  }
+  return {fmt::format("{:.17g}", a), fmt::format("{:.17g}", b)};
 }
 
 std::string margin_of(const RuleResult& rule) {
@@ -22,10 +37,15 @@ void add_finding(std::string& text, const Finding& f) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nline {}", f.line);
   if (f.event > 0) fmt::format_to(out, ", event {}", f.event);
-  if (!f.t.empty()) fmt::format_to(out, ", t = {}", f.t);
+  if (!f.t.empty()) fmt::format_to(out, ", t = {}", printable(f.t));
   fmt::format_to(out, ": {}{}\n  {}\n", name(f.rule), f.outcome == Outcome::undecided ? " (undecided)" : "",
-                 f.message);
-  if (f.off) fmt::format_to(out, "  off by {:.3g} ulp, allowed {:.3g}\n", *f.off, *f.allowed);
+                 printable(f.message));
+  if (f.off) {
+    const auto [off, allowed] = told_apart(*f.off, *f.allowed);
+    fmt::format_to(out, "  off by {} ulp, allowed {}\n", off, allowed);
+  }
+  if (!f.reading.empty())
+    fmt::format_to(out, "  another reading of the paper, decision {}; see docs/decisions.md\n", f.reading);
   if (!f.particles.empty()) fmt::format_to(out, "  particles {}\n", fmt::join(f.particles, " "));
   fmt::format_to(out, "  {}see docs/check.md, {}\n", f.equation.empty() ? "" : "eq. " + f.equation + "; ",
                  name(f.rule));
@@ -36,10 +56,11 @@ void add_finding(std::string& text, const Finding& f) {
 std::string report_text(const CheckReport& r) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "trace      {}: {} ({} particles, {}, {}{})\n", r.file, r.title, r.particles, r.scalar,
-                 r.timing, r.minimal ? ", minimal" : "");
+  fmt::format_to(out, "trace      {}: {} ({} particles, {}, {}{})\n", printable(r.file),
+                 printable(r.title, kLongestTitle), r.particles, r.scalar, r.timing,
+                 r.minimal ? ", minimal" : "");
   fmt::format_to(out, "lines      {}: {} events, {} full states, end {}\n", r.lines, r.events, r.states,
-                 r.end.empty() ? "missing" : r.end);
+                 r.end.empty() ? "missing" : printable(r.end));
   if (r.tolerance != 1) fmt::format_to(out, "tolerance  {} times the derived bounds\n", r.tolerance);
   fmt::format_to(out, "{:<13} {:<10}{:>10}{:>10}{:>10}  {}\n", "rule", "verdict", "passed", "violated",
                  "undecided", "largest share of its bound");
@@ -57,6 +78,7 @@ std::string report_text(const CheckReport& r) {
     fmt::format_to(out, "residuals  {}: mean {:+.4f} ulp, standard error {:.4f}, of {}\n", sum.of, sum.mean,
                    sum.standard_error, sum.count);
   }
+  for (const std::string& note : r.notes) fmt::format_to(out, "note       {}\n", note);
   for (const Finding& finding : r.findings) add_finding(text, finding);
   if (r.interrupted) {
     fmt::format_to(out, "\ninterrupted after line {}: what follows was not judged\n", r.lines);
@@ -66,8 +88,12 @@ std::string report_text(const CheckReport& r) {
     fmt::format_to(out, "\nnothing is violated, but {} steps are undecided: more than one in a hundred\n",
                    r.undecided());
   } else {
-    fmt::format_to(out, "conforming: every step follows from the one before{}\n",
-                   r.undecided() == 0 ? std::string() : fmt::format(", {} undecided aside", r.undecided()));
+    const std::string aside =
+        r.undecided() == 0 ? std::string() : fmt::format(", {} undecided aside", r.undecided());
+    fmt::format_to(out, "{}{}\n",
+                   r.partial() ? "conforming in what could be judged: see \"not judged\" above"
+                               : "conforming: every step follows from the one before",
+                   aside);
   }
   return text;
 }

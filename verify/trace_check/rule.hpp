@@ -36,7 +36,8 @@ struct RuleFacts {
 constexpr std::array<RuleFacts, kRules> kRuleFacts{{
     {Rule::schema, "schema", "every line is well formed and has what its kind needs"},
     {Rule::order, "order",
-     "events are counted from 1, time never goes back, dt is the difference of two times"},
+     "events are counted from 1 and come in their turns, time never goes back, dt is the difference of two "
+     "times"},
     {Rule::flight, "flight", "between events a particle flies straight: u + v dt"},
     {Rule::bystanders, "bystanders", "what is not involved does not change"},
     {Rule::contact, "contact", "at its event a pair is at its limit and moves the right way, eqs. 1-2"},

@@ -1,6 +1,8 @@
 // Where the rules put their verdicts: counts and margins for each rule, the first findings in full.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "verify/trace_check/report.hpp"
+#include "verify/trace_check/residuals.hpp"
 
 namespace tps::check {
 
@@ -71,30 +74,30 @@ class Tally {
 
   void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
 
-  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x.
-  void residual(const char* of, double y, double x = 1) {
-    if (!std::isfinite(x * y)) return;
-    Moments& m = moments_[of];
-    ++m.count;
-    m.xy += x * y;
-    m.xx += x * x;
-    m.yy += y * y;
+  /// A step that the rule cannot judge, since its margin is larger than what it judges. Said once, with the
+  /// first place and the number of steps.
+  template <typename Why>
+  void cannot_tell(Rule rule, Why why) {
+    if (of(rule).vague++ > 0) return;
+    vague_[rule] = fmt::format("first at line {}, {}", step.line, why());
+  }
+
+  /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x. Like
+  /// events have nearly the same `size`.
+  void residual(const char* quantity, double size, double y, double x = 1) {
+    if (std::isfinite(x * y)) residuals_[quantity].add(y, x, size);
   }
   void close_sums();
 
   /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
   bool seen_before(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
+    seen_.resize(std::size_t{1} << 16U);
     std::uint64_t& slot = seen_[(bits * 0x9e3779b97f4a7c15U) >> 48U];
     return std::exchange(slot, bits) == bits;
   }
 
  private:
-  struct Moments {
-    std::uint64_t count = 0;
-    double xy = 0, xx = 0, yy = 0;
-  };
-
   RuleResult& of(Rule rule) { return report_.rules[static_cast<std::size_t>(rule)]; }
 
   template <typename Describe>
@@ -115,8 +118,9 @@ class Tally {
   CheckReport& report_;
   double tolerance_;
   std::uint64_t max_reports_;
-  std::map<std::string, Moments> moments_;
-  std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(std::size_t{1} << 16U);
+  std::map<std::string, Residuals> residuals_;
+  std::map<Rule, std::string> vague_;
+  std::vector<std::uint64_t> seen_;
 };
 
 }  // namespace tps::check

@@ -7,7 +7,7 @@
 
 #include "reference/scene/number_text.hpp"
 #include "reference/trace/hexfloat.hpp"
-#include "verify/exact/double_word.hpp"
+#include "verify/trace_check/exact_sum.hpp"
 #include "verify/trace_check/number.hpp"
 
 namespace tps::check {
@@ -41,10 +41,13 @@ Instant<Number> instant_of(const HexDigits& digits, double start_time) {
   return {(digits.negative ? Number(-value) : value) - Number(start_time), Number(0)};
 }
 
-/// Pieces of 52 bits are doubles; their sum with −start_time has at most the bits of two doubles.
+/// Pieces of 52 bits are doubles. Their sum with −start_time is one of two doubles, but not every partial sum
+/// on the way there is: 0.1 off a long time leaves more bits than two doubles hold until its last piece has
+/// come.
 template <>
 inline Instant<double> instant_of(const HexDigits& digits, double start_time) {
-  exact::DoubleWord sum{-start_time, 0};
+  ExactSum sum;
+  sum.add(-start_time);
   constexpr long kPiece = 13;
   const auto length = static_cast<long>(digits.digits.size());
   for (long begin = 0; begin < length; begin += kPiece) {
@@ -55,11 +58,12 @@ inline Instant<double> instant_of(const HexDigits& digits, double start_time) {
       piece = piece * 16 + (digit <= '9' ? digit - '0' : digit - 'a' + 10);
     }
     piece = std::ldexp(piece, static_cast<int>(digits.exponent + 4 * (length - end)));
-    const exact::DoubleWord next = exact::two_sum(sum.hi, digits.negative ? -piece : piece);
-    sum = {next.hi, sum.lo + next.lo};
+    if (std::isinf(piece)) return {digits.negative ? -piece : piece, 0};
+    sum.add(digits.negative ? -piece : piece);
   }
-  const exact::DoubleWord normal = exact::two_sum(sum.hi, sum.lo);
-  return {normal.hi, normal.lo};
+  const double hi = sum.rounded();
+  sum.add(-hi);
+  return {hi, sum.rounded()};
 }
 
 /// A time on the scene's clock as time since the start.

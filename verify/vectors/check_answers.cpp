@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
+
+#include "reference/scene/input_error.hpp"
 
 namespace tps::vectors {
 namespace {
@@ -94,6 +97,8 @@ std::optional<std::string> wrong_word(const char* key, const Json& known, const 
 }
 
 std::optional<std::string> wrong_time(const Json& known_case, const Json& out) {
+  if (!out.contains("verdict") && !out.contains("t"))
+    return "out has neither verdict nor t; it must say what happens, with t null where nothing does";
   if (out.contains("verdict")) {
     if (const auto wrong = wrong_word("verdict", known_case.at("verdict"), out)) return wrong;
   }
@@ -146,10 +151,37 @@ std::optional<std::string> wrong_event(const Json& known_case, const Json& out) 
   return wrong_response(known_case, known_case, in_rows(out));
 }
 
+std::string in_words(const InputError& error) {
+  std::string text;
+  for (const InputProblem& problem : error.problems()) {
+    if (!text.empty()) text += "; ";
+    text += problem.pointer.empty() ? problem.message : problem.pointer + ": " + problem.message;
+  }
+  return text;
+}
+
+/// Why the question has no proven answer, in words.
+template <typename Ask>
+std::optional<std::string> unanswerable(const Ask& ask) {
+  try {
+    ask();
+    return std::nullopt;
+  } catch (const InputError& error) {
+    return "no question of the operation: " + in_words(error);
+  } catch (const std::bad_alloc&) {
+    return "not enough memory for this case";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
-  const Json proven = known_answer(op, known_case.at("in"));
+  if (!known_case.is_object() || !known_case.contains("in"))
+    return "has no \"in\"; a case is a question and its answer";
+  Json proven;
+  if (const auto why = unanswerable([&] { proven = known_answer(op, known_case.at("in")); })) return why;
   for (const auto& [key, value] : proven.items()) {
     const Json stored = known_case.value(key, Json());
     if (stored != value) return fmt::format("{} is {}; proven: {}", key, stored.dump(), value.dump());
@@ -168,9 +200,7 @@ std::optional<std::string> wrong_in_answer(const std::string& op, const Json& kn
       if (wrong && !wrong_response(other, known_case, out)) return std::nullopt;
     }
     return wrong;
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
 }

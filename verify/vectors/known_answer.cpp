@@ -10,13 +10,14 @@
 #include "reference/scene/number_text.hpp"
 #include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/protocol/read_input.hpp"
+#include "verify/vectors/question.hpp"
 #include "verify/vectors/response_answer.hpp"
 #include "verify/vectors/time_bracket.hpp"
 
 namespace tps::vectors {
 namespace {
 
-using certified::in_space;
 using exact::Kind;
 using exact::TimingQuery;
 using exact::Vec3;
@@ -47,19 +48,13 @@ Json timing_answer(const TimingQuery& query) {
   return answer;
 }
 
-Kind kind_named(const Json& name) {
-  if (name == "block") return Kind::block;
-  if (name == "tether") return Kind::tether;
-  throw std::invalid_argument(fmt::format("kind is {}; allowed: \"block\", \"tether\"", name.dump()));
-}
-
 Json order_answer(const Json& in) {
   exact::Counters counters;
-  std::array<TimingQuery, 2> queries;
+  const protocol::OrderInput input = protocol::read_order(question_value(in), {kQuestion, "/in"});
+  const std::array<TimingQuery, 2> queries{input.first.query(), input.second.query()};
   Json proof;
   for (std::size_t n = 0; n < 2; ++n) {
     const char* key = n == 0 ? "first" : "second";
-    queries[n] = read_timing_input(kind_named(in.at(key).at("kind")), in.at(key));
     const TimingProof one = prove(queries[n]);
     proof[key] = {
         {"verdict", name(one.verdict)}, {"A", one.A}, {"B", one.B}, {"C", one.C}, {"D", one.sign_D}};
@@ -114,14 +109,10 @@ Json timing_input(const TimingQuery& query, int dimension) {
 }
 
 TimingQuery read_timing_input(Kind kind, const Json& in) {
-  const TimingQuery query{kind,
-                          in_space(read_vector(in.at("u_A"))),
-                          in_space(read_vector(in.at("u_B"))),
-                          in_space(read_vector(in.at("v_A"))),
-                          in_space(read_vector(in.at("v_B"))),
-                          read_number(in.at("L"))};
-  if (!exact::valid(query)) throw std::invalid_argument("a timing query needs finite numbers and L > 0");
-  return query;
+  const char* op = kind == Kind::block ? "block_time" : "tether_time";
+  const eval::Operation& operation = *eval::find_operation(op);
+  return certified::TimingInput{kind, eval::read_value(operation, question_value(in), kQuestion, "/in")}
+      .query();
 }
 
 Json known_answer(std::string_view op, const Json& in) {

@@ -26,7 +26,8 @@ Json timing_input(const exact::TimingQuery& query, int dimension);
 exact::TimingQuery read_timing_input(exact::Kind kind, const Json& in);
 
 /// The fields of a case that follow from its operation and its "in": the answer, its proof, its condition
-/// number. Throws std::invalid_argument for an operation without known answers or an "in" that is not one.
+/// number. `in` is read as `tps serve` reads it. Throws InputError where the operation does not take it,
+/// std::invalid_argument for an operation without known answers and for a question without a single one.
 Json known_answer(std::string_view op, const Json& in);
 
 }  // namespace tps::vectors

@@ -9,9 +9,9 @@
 namespace tps::vectors {
 
 /// The certified next event of {"scene": …}: kind, ids, dt, and every particle's position and velocity after
-/// it. Of a scene, what these strata use is read: species with masses, pairs with blocking and tethering,
-/// particles, tethers. Absent where a scene has no single answer. Throws std::invalid_argument for a scene
-/// with anything else.
+/// it. Absent where a scene has no single answer: two events at one time, or a kind at its boundary. Throws
+/// InputError for what is no scene, std::invalid_argument for one with effects that known answers do not
+/// have.
 std::optional<Json> next_event_answer(const Json& in);
 
 }  // namespace tps::vectors

@@ -2,31 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+
+#include "reference/scene/input_error.hpp"
+#include "reference/text/line_source.hpp"
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::vectors {
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
-
-/// Like std::getline, without taking more than it will keep. False at the end.
-bool read_line(std::istream& in, std::string& line, bool& too_long) {
-  line.clear();
-  too_long = false;
-  std::streambuf& source = *in.rdbuf();
-  constexpr int end = std::char_traits<char>::eof();
-  int c = source.sbumpc();
-  if (c == end) return false;
-  for (; c != end && c != '\n'; c = source.sbumpc()) {
-    if (line.size() < longest_line) {
-      line.push_back(static_cast<char>(c));
-    } else {
-      too_long = true;
-    }
-  }
-  return true;
-}
+constexpr std::size_t longest_reason = 300;
 
 /// The cases of one header.
 class Section {
@@ -52,20 +41,21 @@ class Section {
 void read_vectors(std::istream& in, const std::string& name, const VectorsVisitor& visitor) {
   std::optional<Section> section;
   std::string line;
-  bool too_long = false;
+  LineRead read;
   Place place{name, 0};
   const auto close_section = [&] {
     if (!section) return;
     if (const std::optional<std::string> problem = section->missing()) visitor.problem(*problem, place);
   };
-  while (read_line(in, line, too_long)) {
+  while (read_line(in, line, longest_line, read)) {
     ++place.line;
-    if (too_long) {
+    if (read.too_long) {
       visitor.problem(fmt::format("the line is longer than {} bytes; no case is", longest_line), place);
       continue;
     }
     try {
-      const Json json = Json::parse(line);
+      const Json json = parse_plain_json(line, name, {}, place.line);
+      if (!json.is_object()) throw std::invalid_argument("is no object; a line is a header or a case");
       if (json.contains("schema")) {
         close_section();
         section.emplace(json);
@@ -74,10 +64,14 @@ void read_vectors(std::istream& in, const std::string& name, const VectorsVisito
       if (!section) throw std::invalid_argument("a case before any header line");
       ++section->read;
       visitor.known_case(section->op, json, place);
+    } catch (const InputError& error) {
+      visitor.problem(first_problem(error), place);
     } catch (const nlohmann::json::exception& error) {
-      visitor.problem(error.what(), place);
+      visitor.problem(printable(error.what(), longest_reason), place);
     } catch (const std::invalid_argument& error) {
       visitor.problem(error.what(), place);
+    } catch (const std::bad_alloc&) {
+      visitor.problem("not enough memory for this case", place);
     }
   }
   if (!section)

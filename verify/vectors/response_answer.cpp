@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "verify/certified/certified_response.hpp"
+#include "verify/protocol/read_input.hpp"
 #include "verify/vectors/enclosure_json.hpp"
 #include "verify/vectors/next_event_answer.hpp"
+#include "verify/vectors/question.hpp"
 #include "verify/vectors/response_condition.hpp"
 
 namespace tps::vectors {
@@ -24,18 +26,8 @@ Json answer_of(const certified::Response& response) {
   return answer;
 }
 
-eval::Input read_input(const eval::Operation& operation, const Json& in) {
-  eval::Input input;
-  for (const std::string& key : operation.keys) {
-    const bool is_vector = eval::domain_of(key) == eval::Domain::vector;
-    input.values[key] = is_vector ? read_vector(in.at(key)) : std::vector<double>{read_number(in.at(key))};
-    if (is_vector) input.dimension = static_cast<int>(input.values[key].size());
-  }
-  return input;
-}
-
 Json one_response(const eval::Operation& operation, const Json& in) {
-  const eval::Input input = read_input(operation, in);
+  const eval::Input input = eval::read_value(operation, question_value(in), kQuestion, "/in");
   const certified::Response response = certified::certified_response(operation.op, input);
   Json answer = answer_of(response);
   if (const auto other = certified::other_response(operation.op, input, response)) {
@@ -43,25 +35,6 @@ Json one_response(const eval::Operation& operation, const Json& in) {
   }
   answer["cond"] = conditions(operation.op, input, response);
   return answer;
-}
-
-certified::GroupInput read_group(const Json& in) {
-  certified::GroupInput group;
-  for (const Json& body : in.at("bodies")) {
-    group.bodies.push_back({read_number(body.at("m")), read_vector(body.at("u")), read_vector(body.at("v"))});
-  }
-  for (const Json& c : in.at("collisions")) {
-    const bool outer = c.at("limit") == "outer";
-    const auto number = [&](const char* key) { return c.contains(key) ? read_number(c.at(key)) : 0; };
-    group.collisions.push_back({c.at("i").get<std::size_t>(), c.at("j").get<std::size_t>(), outer,
-                                number("c"), number("c_retract"), number("c_revolve"),
-                                number("theta_revolve_deg")});
-    const certified::GroupInput::Collision& read = group.collisions.back();
-    if (read.i >= group.bodies.size() || read.j >= group.bodies.size()) {
-      throw std::invalid_argument(fmt::format("collision {} names a body that is not there", c.dump()));
-    }
-  }
-  return group;
 }
 
 /// All bodies' components in a row.
@@ -72,7 +45,7 @@ EnclosedVector flattened(const std::vector<EnclosedVector>& velocities) {
 }
 
 Json group_answer(const Json& in) {
-  const certified::GroupInput group = read_group(in);
+  const certified::GroupInput group = protocol::read_group(question_value(in), {kQuestion, "/in"});
   const certified::GroupResponse response = certified::certified_group(group);
   if (response.boundary) throw std::invalid_argument("a collision of the group is at a boundary of rounding");
   Json answer;

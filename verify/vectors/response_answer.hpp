@@ -9,7 +9,8 @@
 namespace tps::vectors {
 
 /// The answer to a response operation or to `group`: enclosures of every component, `nearest`, the condition
-/// number. Throws std::invalid_argument for another operation or an "in" that is not one.
+/// number. Throws InputError for an "in" that the operation does not take,
+/// std::invalid_argument for another operation or a question without a single answer.
 Json response_answer(std::string_view op, const Json& in);
 
 }  // namespace tps::vectors

@@ -29,9 +29,11 @@ class Rebound final : public Effect<Scalar, D> {
     Record<Scalar, D> record = world.open_record("rebound", i, j);
     Collision<Scalar, D> collision = collision_now(world, i, j, Limit::inner);
     observe_collision(world, collision, blocking.distance);
-    const bool approaching = collision.frame.v_n < Scalar(0);
+    // Exactly: a pair that approaches by less than v_n resolves is turned, if only by directed rounding.
+    const bool approaching = normal_sign<Scalar, D>(record.involved[0].position, record.involved[1].position,
+                                                    world.velocity(i), world.velocity(j)) < 0;
     const Scalar c = blocking.c_rebound;
-    if (approaching) {
+    if (approaching && collision.frame.v_n < Scalar(0)) {
       collision.dp = collision_impulse<Scalar, D>(collision.frame, collision.mass_i, collision.mass_j, c);
     }
     form_tether(world, i, j, record);

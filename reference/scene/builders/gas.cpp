@@ -15,9 +15,12 @@ double square(const Coordinates& u) {
   return u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
 }
 
+/// Where the origin lies in the lattice: in a hole, between four neighbours (shift 1/2), or at a point (0).
+constexpr double kHole = 0.5, kPoint = 0;
+
 /// Points of the face-centred cubic lattice with the given distance of neighbours, no farther than `reach`
-/// from the origin, which is a hole of the lattice (the point between four neighbours).
-std::vector<Coordinates> lattice_in_ball(double neighbours, double reach) {
+/// from the origin.
+std::vector<Coordinates> lattice_in_ball(double neighbours, double reach, double shift) {
   const double step = neighbours / std::numbers::sqrt2;  // half the cube's edge: points have even i + j + k
   const int most = static_cast<int>(reach / step) + 2;
   std::vector<Coordinates> points;
@@ -25,7 +28,7 @@ std::vector<Coordinates> lattice_in_ball(double neighbours, double reach) {
     for (int j = -most; j <= most; ++j) {
       for (int k = -most; k <= most; ++k) {
         if ((i + j + k) % 2 != 0) continue;
-        const Coordinates point{(i + 0.5) * step, (j + 0.5) * step, (k + 0.5) * step};
+        const Coordinates point{(i + shift) * step, (j + shift) * step, (k + shift) * step};
         if (square(point) <= reach * reach) points.push_back(point);
       }
     }
@@ -52,9 +55,12 @@ Scene build_gas(const GasParams& params) {
   const auto needed = static_cast<std::size_t>(params.particles);
 
   // The widest lattice, in steps of 1 %, that has enough points; the closest one has neighbours just apart.
+  // Around a hole at first; a few spheres, one to begin with, may fit around a point only.
   std::vector<Coordinates> points;
-  for (int percent = 400; percent > 100 && points.size() < needed; --percent) {
-    points = lattice_in_ball(percent / 100.0, radius - 0.5 - 0x1p-20);
+  for (const double shift : {kHole, kPoint}) {
+    for (int percent = 400; percent > 100 && points.size() < needed; --percent) {
+      points = lattice_in_ball(percent / 100.0, radius - 0.5 - 0x1p-20, shift);
+    }
   }
   if (points.size() < needed) {
     throw std::invalid_argument(fmt::format(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -154,6 +155,10 @@ Scene build_terminal(const TerminalParams& params) {
   for (int pair = 0; pair < params.pairs; ++pair) {
     const int first = 1 + params.vesicles + 2 * pair;
     scene.tethers.push_back({first, first + 1});
+  }
+  if (params.impacts > 0 && std::isinf(params.duration)) {
+    throw std::invalid_argument(
+        "--duration is \"inf\", and the impacts are spread over it; give a time that ends, or --impacts 0");
   }
   for (int i = 0; i < params.impacts; ++i) {
     const double every = (params.duration - params.impact_at) / params.impacts;

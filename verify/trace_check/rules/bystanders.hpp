@@ -17,23 +17,25 @@ void judge_bystanders(const Context<Number>& c, const EventLine<Number>& event) 
     if (p.velocity_before) {
       c.tally.demand(Rule::bystanders, *p.velocity_before == flight.velocity, [&](Finding& f) {
         about(f);
+        const auto [found, right] = told_apart(*p.velocity_before, flight.velocity, dimension);
         f.message = fmt::format("particle {} comes with velocity {}, but left its last event with {}", id,
-                                shown(*p.velocity_before, dimension), shown(flight.velocity, dimension));
+                                found, right);
       });
     }
     if (p.position_before && p.position_after) {
       c.tally.demand(Rule::bystanders, *p.position_before == *p.position_after, [&](Finding& f) {
         about(f);
-        f.message =
-            fmt::format("particle {} is moved by the event from {} to {}; impulses change velocities only",
-                        id, shown(*p.position_before, dimension), shown(*p.position_after, dimension));
+        const auto [from, to] = told_apart(*p.position_before, *p.position_after, dimension);
+        f.message = fmt::format(
+            "particle {} is moved by the event from {} to {}; impulses change velocities only", id, from, to);
       });
     }
     if (model.fixed(p.particle)) {
       c.tally.demand(Rule::bystanders, p.velocity_after == flight.velocity, [&](Finding& f) {
         about(f);
-        f.message = fmt::format("particle {} has infinite mass and changes its velocity to {}", id,
-                                shown(p.velocity_after, dimension));
+        const auto [found, right] = told_apart(p.velocity_after, flight.velocity, dimension);
+        f.message = fmt::format("particle {} has infinite mass and changes its velocity from {} to {}", id,
+                                right, found);
       });
     }
   }

@@ -5,6 +5,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
@@ -59,7 +60,7 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   if (t <= W(0)) return;
   const W ulp = c.u() * t;
   const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
-  c.tally.residual("time", as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
+  c.tally.residual("time", as_double(t), as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
 }
 
 }  // namespace detail
@@ -83,6 +84,7 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
           fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
                       c.pair(event.i, event.j));
       f.equation = "(2)";
+      f.reading = reading_of_repeat(c, event);
     });
     return;
   }
@@ -90,16 +92,30 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
   const RelativeFlight<W> relative = pair.relative();
   const Quadratic<W> q = quadratic_of(relative, limit->L, c.u(), c.timing, c.scale());
   const W dt = elapsed(pair.start, event.t);
+  if (q.blur_error >= limit->L * limit->L) {
+    for (const Rule rule : {Rule::contact, Rule::earliest, Rule::bounds}) {
+      c.tally.cannot_tell(rule, [&] {
+        return fmt::format("where the distance of {} is uncertain by {}, its limit being {}",
+                           c.pair(event.i, event.j), shown(pair.blur), shown(limit->L));
+      });
+    }
+    return;
+  }
   const W distance = length(relative.r + dt * relative.v);
   const auto describe = [&](Finding& f) {
     const Due<W> expected = due(q, *limit);
-    const std::string when =
-        expected.must_be_none
-            ? std::string("never gets there")
-            : fmt::format("is due there between {} and {}", shown(expected.earliest), shown(expected.latest));
+    std::string after = shown(dt);
+    std::string when = "never gets there";
+    if (!expected.must_be_none) {
+      const bool early = dt < expected.earliest;
+      auto [found, bound] = told_apart(dt, early ? expected.earliest : expected.latest);
+      after = found;
+      when = fmt::format("is due there {} than {}", early ? "not earlier" : "not later", bound);
+    }
+    const auto [at, L] = told_apart(distance, limit->L);
     f.message = fmt::format("{} is at distance {} after {}, {} its {} limit {}; on its straight lines it {}",
-                            c.pair(event.i, event.j), shown(distance), shown(dt),
-                            distance > limit->L ? "beyond" : "within", which, shown(limit->L), when);
+                            c.pair(event.i, event.j), at, after, distance > limit->L ? "beyond" : "within",
+                            which, L, when);
     f.equation = "(2)";
     f.replay = replay_of_time(pair, outer, limit->L, model.scene.dimension);
   };
@@ -117,8 +133,15 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
       !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
   const W ulps = W(6) * c.scale() * abs(q.at(dt)) / q.q_error;
   const bool at_root = ulps <= W(6) * c.scale();
-  c.tally.within(Rule::contact, in_time ? (at_root ? as_double(ulps) : 0.0) : std::max(as_double(ulps), 1e9),
-                 6, describe);
+  // At another root of q, the distance is right and the time is not.
+  if (in_time || !at_root)
+    c.tally.within(Rule::contact, in_time && !at_root ? 0.0 : as_double(ulps), 6, describe);
+  else
+    c.tally.demand(Rule::contact, false, [&](Finding& f) {
+      describe(f);
+      // The smaller of two roots behind the start: where the pair has just been pulled, that is at once.
+      if (outer && (dt < expected.earliest || expected.must_be_none)) f.reading = readings::kLiteralRoot;
+    });
   detail::add_time_residual(c, event, q, dt);
 }
 

@@ -1,21 +1,37 @@
-// Rules earliest and bounds: what a pair that is not at its event must not have done meanwhile.
+// Rule earliest: what a pair that is not at its event must not have done meanwhile.
 #pragma once
 
+#include "verify/trace_check/clear.hpp"
+#include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
-#include "verify/trace_check/pair_flight.hpp"
-#include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/bounds.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
-/// The event by which a pair is asked: when it happens and, for certified order, which exact moment that
-/// rounds.
+/// Until when a pair is judged.
+enum class Until {
+  event,       ///< that is happening
+  last_event,  ///< of a run that ended there
+  duration,    ///< of a run that reached it
+  ever,        ///< after a run that claims that nothing more happens
+};
+
+/// A pair or body that a certified run left waiting and whose computed time is not clearly behind the end.
+struct LeftWaiting {
+  Turn<double> turn;
+  bool outer = false;
+  std::function<void(Finding&)> describe;
+};
+
+/// What a pair is asked about: everything that happened while it flew.
 template <typename Number>
 struct Happening {
   Instant<Number> t;
-  std::optional<Moment> moment;
-  int i = -1, j = -1;  ///< of a collision
+  int i = -1, j = -1;  ///< of a collision, which is no longer waiting itself
   bool outer = false;
-  bool forever = false;  ///< no event at all: there is none ahead
+  Until until = Until::event;
+  std::vector<LeftWaiting>* left = nullptr;  ///< filled at the duration of a certified run
 
   bool is(int a, int b, bool at_outer) const { return a == i && b == j && outer == at_outer; }
 };
@@ -25,23 +41,30 @@ enum class Waiting { not_due, undecided, overdue, lost_a_tie };
 
 namespace detail {
 
-/// Exact: before the event that happens, or at exactly its moment with smaller ids. REQUIRES
-/// happening.moment.
-inline Waiting certified_waiting(const Context<double>& c, const PairFlight<double>& pair, int i, int j,
-                                 const LimitAsked<long double>& asked, const Happening<double>& happening) {
-  Moment moment{pair.start.hi, pair.start.lo, timing_query(pair, asked.outer, static_cast<double>(asked.L)),
-                1};
-  if (!valid(*moment.query)) return Waiting::not_due;
-  const TimingVerdict verdict = c.exact.answer(*moment.query).verdict;
-  if (!occurs(verdict)) return Waiting::not_due;
-  if (asked.responded) {
-    if (verdict != TimingVerdict::hit && verdict != TimingVerdict::turning) return Waiting::not_due;
-    moment.multiple = verdict == TimingVerdict::turning ? 2 : 1;
-  }
-  const std::weak_ordering order = c.exact.order(moment, *happening.moment);
-  if (order < 0) return Waiting::overdue;
-  const bool ties = order == 0 && happening.i >= 0 && std::tie(i, j) < std::tie(happening.i, happening.j);
-  return ties ? Waiting::lost_a_tie : Waiting::not_due;
+/// The turn of a certified pair that flies on; nothing where it has no event at that limit.
+inline std::optional<Turn<double>> certified_turn(const Context<double>& c, const PairFlight<double>& pair,
+                                                  int i, int j, const LimitAsked<long double>& asked) {
+  const TimingQuery query = timing_query(pair, asked.outer, static_cast<double>(asked.L));
+  if (!valid(query)) return std::nullopt;
+  const CollisionTime<double> answer = c.exact.answer(query);
+  if (!answer.t) return std::nullopt;
+  const bool counts = answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
+  if (asked.responded && !counts) return std::nullopt;
+  const int multiple = asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1;
+  const double dt = multiple * rounded_once(c.exact, query, *answer.t, c.model.precision);
+  Turn<double> turn;
+  turn.t = later_by(pair.start, dt, c.model.precision);
+  turn.moment = Moment{pair.start.hi, pair.start.lo, query, multiple};
+  turn.first = i;
+  turn.second = j;
+  return turn;
+}
+
+/// Exact: whether something that still waits had its turn before the latest of what happened meanwhile.
+template <typename Number>
+Waiting waiting_behind(const Context<Number>& c, const Turn<Number>& turn, const Turn<Number>* latest) {
+  if (latest == nullptr || c.turns.order(turn, *latest) >= 0) return Waiting::not_due;
+  return c.turns.order_in_time(turn, *latest) == 0 ? Waiting::lost_a_tie : Waiting::overdue;
 }
 
 /// Beyond every time that the trace's timing can have computed; undecided where real arithmetic has an event
@@ -61,24 +84,17 @@ Waiting computed_waiting(const Context<Number>& c, const Quadratic<Work<Number>>
   return exactly + slack < dt ? Waiting::undecided : Waiting::not_due;
 }
 
-template <typename Number>
-Waiting waiting(const Context<Number>& c, const PairFlight<Number>& pair, int i, int j,
-                const Quadratic<Work<Number>>& q, const LimitAsked<Work<Number>>& asked,
-                const Work<Number>& dt, const Happening<Number>& happening) {
-  if constexpr (std::is_same_v<Number, double>) {
-    if (c.certified() && happening.moment) return certified_waiting(c, pair, i, j, asked, happening);
-  }
-  return computed_waiting(c, q, asked, dt, c.time_error(happening.t));
-}
-
-/// How far beyond the limit the pair came during its flight, as squared distance, less what it began with.
-template <typename W>
-W excess_of(const Quadratic<W>& q, bool outer, const W& dt) {
-  const W zero(0);
-  if (outer) return std::max(q.at(dt), q.c) - std::max(zero, q.c);
-  const W turning = q.a > zero ? W(-q.h / q.a) : zero;
-  const W closest = std::min(std::max(zero, turning), dt);
-  return std::min(zero, q.c) - std::min(q.at(closest), q.c);
+/// Sees to it that a certified run has left nothing waiting that was due by its end.
+inline Waiting certified_waiting(const Context<double>& c, const Turn<double>& turn, bool outer,
+                                 const Turn<double>* latest, const Happening<double>& happening,
+                                 const std::function<void(Finding&)>& describe) {
+  const Waiting state = waiting_behind(c, turn, latest);
+  if (state != Waiting::not_due) return state;
+  if (happening.until == Until::ever)
+    return is_a_time(turn.t, c.model.precision) ? Waiting::overdue : Waiting::not_due;
+  if (happening.until == Until::duration && !(latest_rival(happening.t, c.model.precision) < turn.t))
+    happening.left->push_back({turn, outer, describe});
+  return Waiting::not_due;
 }
 
 }  // namespace detail
@@ -95,6 +111,7 @@ struct Told {
   enum Bit : unsigned { overdue = 1, undecided = 2, beyond = 4, of_outer = 8 };
   unsigned bits = 0;
 
+  bool said(unsigned bit, bool outer) const { return (bits & (outer ? bit * of_outer : bit)) != 0; }
   /// Whether it is new.
   bool say(unsigned bit, bool outer) {
     const unsigned mask = outer ? bit * of_outer : bit;
@@ -104,103 +121,99 @@ struct Told {
   }
 };
 
-/// Judges a pair at one limit over its flight until `until`.
+namespace detail {
+
 template <typename Number>
-Asked judge_limit(const Context<Number>& c, const PairFlight<Number>& pair, int i, int j,
-                  const LimitAsked<Work<Number>>& asked, bool is_asked, const Instant<Number>& until,
-                  const Happening<Number>& happening, Told& told) {
+void say_overdue(const Context<Number>& c, const LimitFlight<Number>& flight, Waiting state, Until until,
+                 Finding& f) {
   using W = Work<Number>;
-  using std::sqrt;
-  const char* which = asked.outer ? "outer" : "inner";
-  const Quadratic<W> q = quadratic_of(pair.relative(), asked.L, c.u(), c.timing, c.scale());
-  const W dt = elapsed(pair.start, until);
-  Asked result;
-  const auto about = [&](Finding& f) {
-    f.particles = {c.model.id(i), c.model.id(j)};
-    f.equation = "(2)";
-    f.replay = replay_of_time(pair, asked.outer, asked.L, c.model.scene.dimension);
-  };
-  const Waiting state = is_asked ? detail::waiting(c, pair, i, j, q, asked, dt, happening) : Waiting::not_due;
-  if ((state == Waiting::overdue || state == Waiting::lost_a_tie) && told.say(Told::overdue, asked.outer)) {
-    result.earliest = false;
-    c.tally.demand(Rule::earliest, false, [&](Finding& f) {
-      about(f);
-      const Due<W> expected = due(q, asked);
-      f.message =
-          state == Waiting::lost_a_tie
-              ? fmt::format("{} reaches its {} limit at exactly this moment and has the smaller ids",
-                            c.pair(i, j), which)
-              : fmt::format("{} was due at its {} limit {} before, {} after {}", c.pair(i, j), which,
-                            shown(W(dt - expected.latest)), shown(expected.latest), c.shown_time(pair.start));
-    });
+  say_about(c, flight, f);
+  const std::string who = c.pair(flight.i, flight.j);
+  if (state == Waiting::lost_a_tie) {
+    f.reading = readings::kOrder;
+    f.message = fmt::format("{} reaches its {} limit at exactly this moment and comes first by rank and ids",
+                            who, flight.limit());
+    return;
   }
-  if (state == Waiting::undecided && told.say(Told::undecided, asked.outer)) {
+  const Due<W> expected = due(flight.q, flight.asked);
+  const std::string when =
+      fmt::format("{} after {}", shown(expected.latest), c.shown_time(flight.pair.start));
+  if (until == Until::ever) {
+    f.message = fmt::format("{} is due at its {} limit {}, but no more events are claimed", who,
+                            flight.limit(), when);
+  } else if (expected.latest < flight.dt) {
+    f.message = fmt::format("{} was due at its {} limit {} before, {}", who, flight.limit(),
+                            shown(W(flight.dt - expected.latest)), when);
+  } else {
+    f.message =
+        fmt::format("{} was due at its {} limit {}, by less than rounding before {}", who, flight.limit(),
+                    when, until == Until::duration ? "the end" : "what happened meanwhile");
+  }
+}
+
+template <typename Number>
+Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, const Turn<Number>* latest,
+                const Happening<Number>& happening) {
+  if constexpr (std::is_same_v<Number, double>) {
+    if (c.certified()) {
+      const auto turn = certified_turn(c, flight.pair, flight.i, flight.j, flight.asked);
+      if (!turn) return Waiting::not_due;
+      return certified_waiting(c, *turn, flight.asked.outer, latest, happening, [&c, flight](Finding& f) {
+        say_overdue(c, flight, Waiting::overdue, Until::duration, f);
+      });
+    }
+  }
+  return computed_waiting(c, flight.q, flight.asked, flight.dt, c.time_error(happening.t));
+}
+
+}  // namespace detail
+
+/// Judges a pair at one limit over its flight until `until`; `latest` is the latest turn that came meanwhile.
+template <typename Number>
+Asked judge_limit(const Context<Number>& c, const LimitFlight<Number>& flight, bool is_asked,
+                  const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
+  Asked result;
+  const bool outer = flight.asked.outer;
+  const Waiting state = is_asked ? detail::waiting(c, flight, latest, happening) : Waiting::not_due;
+  if ((state == Waiting::overdue || state == Waiting::lost_a_tie) && told.say(Told::overdue, outer)) {
+    result.earliest = false;
+    c.tally.demand(Rule::earliest, false,
+                   [&](Finding& f) { detail::say_overdue(c, flight, state, happening.until, f); });
+  }
+  if (state == Waiting::undecided && told.say(Told::undecided, outer)) {
     result.earliest = false;
     c.tally.undecided(Rule::earliest, [&](Finding& f) {
-      about(f);
+      detail::say_about(c, flight, f);
       f.message = fmt::format("{} grazes its {} limit by less than the rounding of the trace's scalar",
-                              c.pair(i, j), which);
+                              c.pair(flight.i, flight.j), flight.limit());
     });
   }
-  // A pair that has responded may creep: its relative velocity is known to rounding only.
-  const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
-  const W unit = q.q_error / (W(6) * c.scale()) +
-                 (is_asked && !asked.responded ? W(0) : W(4) * asked.L * c.u() * speeds * dt);
-  const W excess = detail::excess_of(q, asked.outer, dt);
-  if (excess > W(6) * unit * c.scale() && !happening.forever && told.say(Told::beyond, asked.outer)) {
-    result.bounds = false;
-    const W beyond_limit = asked.outer ? W(sqrt(asked.L * asked.L + excess) - asked.L)
-                                       : W(asked.L - sqrt(std::max(W(0), W(asked.L * asked.L - excess))));
-    c.tally.within(Rule::bounds, as_double(W(excess / unit)), 6, [&](Finding& f) {
-      about(f);
-      f.message = fmt::format("{} comes {} beyond its {} limit {} in flight", c.pair(i, j),
-                              shown(beyond_limit), which, shown(asked.L));
-      f.equation = "(1)";
-    });
-  }
+  if (happening.until == Until::ever || told.said(Told::beyond, outer)) return result;
+  result.bounds = detail::judge_bounds(c, flight, is_asked, c.time_error(happening.t));
+  if (!result.bounds) told.say(Told::beyond, outer);
   return result;
 }
 
 namespace detail {
 
-/// Whether plain doubles see that nothing can have happened: the pair stayed clear of both limits by more
-/// than they can err.
+/// A first look in doubles. Positions carried to the start of the flight have a few roundings of the trace's
+/// scalar, thousands are allowed for. Where certified timing compares exact moments, they may be behind the
+/// recorded ones by 1.1 u of them: the flight is looked at for so much longer.
 template <typename Number>
-bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>& rules, bool tethered,
-              const Instant<double>& until) {
-  const Flight<double>& a = model.rough_flight(i);
-  const Flight<double>& b = model.rough_flight(j);
-  const double since_a = (until.hi - a.since.hi) + (until.lo - a.since.lo);
-  const double since_b = (until.hi - b.since.hi) + (until.lo - b.since.lo);
-  const double together = std::min(since_a, since_b);
-  double rr = 0, rv = 0, vv = 0, size = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double r = (b.position[k] + b.velocity[k] * since_b) - (a.position[k] + a.velocity[k] * since_a);
-    const double v = b.velocity[k] - a.velocity[k];
-    rr += r * r;
-    rv += r * v;
-    vv += v * v;
-    size += std::fabs(a.position[k]) + std::fabs(b.position[k]) + std::fabs(a.velocity[k] * since_a) +
-            std::fabs(b.velocity[k] * since_b);
-  }
-  const double blur = static_cast<double>(a.blur + b.blur);
-  if (!(blur == 0) || !(size < 1e100) || !(size > 1e-140)) return false;
-  const double before = rr - together * (2 * rv - together * vv);  // squared distance when the flight began
-  const double turned = rv > 0 && rv < vv * together ? rr - rv * rv / vv : std::min(rr, before);
-  constexpr double kShare = 0x1p-40;  // thousands of roundings
-  const auto beyond = [&](const Number& limit) {
-    const double L = static_cast<double>(limit);
-    return std::pair(L * L, kShare * (size * size + L * L));
+bool stayed_clear(const Context<Number>& c, int i, int j, const PairRules<Number>& rules, bool tethered,
+                  const Instant<double>& until) {
+  const Flight<double>& a = c.model.rough_flight(i);
+  const Flight<double>& b = c.model.rough_flight(j);
+  if (c.model.eager || a.blur + b.blur != 0) return false;
+  const double u = static_cast<double>(c.u());
+  const double longer = c.certified() ? 2 * u * until.hi : 0;
+  const auto line = [&](const Flight<double>& f) {
+    return StraightLine{f.position.x.data(), f.velocity.x.data(),
+                        (until.hi - f.since.hi) + (until.lo - f.since.lo) + longer};
   };
-  if (rules.blocks) {
-    const auto [limit, error] = beyond(rules.inner);
-    if (!(turned - limit > error)) return false;
-  }
-  if (tethered) {
-    const auto [limit, error] = beyond(rules.outer);
-    if (!(std::max(rr, before) - limit < -error)) return false;
-  }
-  return true;
+  const LimitsInDoubles limits{rules.blocks ? static_cast<double>(rules.inner) : -1.0,
+                               tethered ? static_cast<double>(rules.outer) : -1.0};
+  return is_clear(line(a), line(b), limits, 0x1p-104 * until.hi, std::max(0x1p13 * u, 0x1p-40));
 }
 
 }  // namespace detail
@@ -208,28 +221,32 @@ bool is_clear(const Model<Number>& model, int i, int j, const PairRules<Number>&
 /// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening.
 template <typename Number>
 Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& until,
-                 const Happening<Number>& happening, Told& told) {
+                 const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(i, j);
   const bool tethered = model.tethered(i, j);
   Asked result;
   if ((!rules.blocks && !tethered) || model.groups.together(i, j)) return result;
-  if (detail::is_clear(model, i, j, rules, tethered, rough(until))) return result;
+  if (happening.until != Until::ever && detail::stayed_clear(c, i, j, rules, tethered, rough(until)))
+    return result;
   const PairFlight<Number> pair = pair_flight(model, i, j);
   if (until < pair.start) return result;
+  const auto judge = [&](const LimitAsked<W>& asked, bool is_asked) {
+    const LimitFlight<Number> flight{i,
+                                     j,
+                                     pair,
+                                     asked,
+                                     quadratic_of(pair.relative(), asked.L, c.u(), c.timing, c.scale()),
+                                     elapsed(pair.start, until)};
+    const Asked one = judge_limit(c, flight, is_asked, latest, happening, told);
+    result.earliest = result.earliest && one.earliest;
+    result.bounds = result.bounds && one.bounds;
+  };
   if (rules.blocks) {
-    const bool is_asked = !model.responded(i, j, false) && !happening.is(i, j, false);
-    const Asked inner = judge_limit(c, pair, i, j, LimitAsked<W>{false, W(rules.inner), false}, is_asked,
-                                    until, happening, told);
-    result = inner;
+    judge({false, W(rules.inner), false}, !model.responded(i, j, false) && !happening.is(i, j, false));
   }
-  if (tethered) {
-    const LimitAsked<W> asked{true, W(rules.outer), model.responded(i, j, true)};
-    const Asked outer = judge_limit(c, pair, i, j, asked, !happening.is(i, j, true), until, happening, told);
-    result.earliest = result.earliest && outer.earliest;
-    result.bounds = result.bounds && outer.bounds;
-  }
+  if (tethered) judge({true, W(rules.outer), model.responded(i, j, true)}, !happening.is(i, j, true));
   return result;
 }
 

@@ -23,7 +23,7 @@ void judge_flight(const Context<Number>& c, const EventLine<Number>& event) {
       const W step = W(flight.velocity[k]) * dt;
       const W expected = W(flight.position[k]) + step;
       const W unit = c.u() * (W(2) * abs(step) + abs(W((*recorded)[k]))) + model.precision.smallest +
-                     flight.blur + c.time_error(event.t) * abs(W(flight.velocity[k]));
+                     model.blur(p.particle) + c.time_error(event.t) * abs(W(flight.velocity[k]));
       const W ulps = abs(W((*recorded)[k]) - expected) / unit;
       if (ulps > worst) {
         worst = ulps;

@@ -35,6 +35,28 @@ void judge_common_velocity(const Context<Number>& c, const EventLine<Number>& ev
   }
 }
 
+/// At a restitution the other members of the two bodies have the velocities of i and j; they may be listed.
+template <typename Number>
+bool moves_with_a_side(const Context<Number>& c, const EventLine<Number>& event,
+                       const InvolvedParticle<Number>& p) {
+  const Body<Number>* body =
+      event.kind == Kind::restitute ? c.model.groups.with_root(event.i, event.j) : nullptr;
+  if (body == nullptr) return false;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::vector<int>& members = body->root->members[side];
+    if (!std::binary_search(members.begin(), members.end(), p.particle)) continue;
+    const int of_pair = side == 0 ? event.i : event.j;
+    c.tally.demand(Rule::groups, p.velocity_after == event.of(of_pair)->velocity_after, [&](Finding& f) {
+      f.particles = {c.model.id(of_pair), c.model.id(p.particle)};
+      f.message = fmt::format("particles {} and {} are of one body and leave with different velocities",
+                              c.model.id(of_pair), c.model.id(p.particle));
+      f.equation = "(3)";
+    });
+    return true;
+  }
+  return false;
+}
+
 /// Who is listed: everybody who changes velocity, and nobody else.
 template <typename Number>
 void judge_members(const Context<Number>& c, const EventLine<Number>& event, bool collides,
@@ -42,6 +64,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const bool loads = is_load(c, event, expected);
+  const bool with_wall = loads && (model.fixed(event.i) || model.fixed(event.j));
   const bool whole_bodies = loads || event.kind == Kind::scheduled_impulse;
   std::vector<int> moving;
   for (const int side : {event.i, event.j}) {
@@ -59,6 +82,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
     c.tally.demand(Rule::groups, event.members == moving, [&](Finding& f) {
       f.message =
           fmt::format("the body is listed as {}; its members are {}", names(event.members), names(moving));
+      if (with_wall) f.reading = readings::kWallInTree;
     });
   }
   if (whole_bodies && !c.minimal) judge_common_velocity(c, event, moving);
@@ -71,11 +95,12 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   }
   for (const InvolvedParticle<Number>& p : event.involved) {
     if (p.particle == event.i || p.particle == event.j ||
-        std::binary_search(moving.begin(), moving.end(), p.particle))
+        std::binary_search(moving.begin(), moving.end(), p.particle) || moves_with_a_side(c, event, p))
       continue;
     c.tally.demand(Rule::bystanders, false, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
       f.message = fmt::format("particle {} has no part in the event, but is listed", model.id(p.particle));
+      if (with_wall) f.reading = readings::kWallInTree;
     });
   }
   if (!collides || event.kind == Kind::broken) return;
@@ -102,20 +127,28 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   }
 }
 
-/// Nothing else happens, and no time passes, while a body parts.
+/// Nothing else happens, and no time passes, while a body parts. `what` is something else.
 template <typename Number>
-void judge_parting(const Context<Number>& c, const EventLine<Number>& event) {
+void judge_parted(const Context<Number>& c, const char* what) {
   Model<Number>& model = c.model;
   if (model.groups.parting().empty()) return;
-  if (event.kind == Kind::restitute && event.t == model.now) return;
   const Body<Number>* left = *model.groups.parting().begin();
   c.tally.demand(Rule::groups, false, [&](Finding& f) {
-    f.message = fmt::format("something else happens while the body of particle {} has {} loads left to part",
+    f.message = fmt::format("{} while the body of particle {} has {} loads left to part", what,
                             model.id(left->members.front()),
                             left->root->members[0].size() + left->root->members[1].size() - 1);
     f.equation = "(7)";
   });
   model.groups.forget_parting();
+}
+template <typename Number>
+void judge_parting(const Context<Number>& c, const EventLine<Number>& event) {
+  const GroupModel<Number>& groups = c.model.groups;
+  if (event.kind == Kind::restitute && event.t == c.model.now) {
+    const Body<Number>* body = groups.with_root(event.i, event.j);
+    if (body == nullptr || groups.is_parting(body)) return;
+  }
+  judge_parted(c, "something else happens");
 }
 
 /// A node of a tree parts: root first, at the expiry, by the impulse that was stored.
@@ -133,7 +166,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   });
   if (body == nullptr) return;
   if (!model.groups.is_parting(body)) {
-    const Instant<Number> expiry = expiry_of(model, *body);
+    const Instant<Number> expiry = body->expiry;
     const W late = elapsed(expiry, event.t);
     const W error = c.time_error(event.t);
     const bool clock_had_passed =
@@ -142,6 +175,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
       f.message = fmt::format("the body of particle {} expires at {} and parts {} {}",
                               model.id(body->members.front()), c.shown_time(expiry), shown(W(abs(late))),
                               late > W(0) ? "later" : "earlier");
+      f.reading = reading_of_expiry(c, *body, event.t, late);
     });
   }
   const LoadNode<Number>& node = *body->root;
@@ -154,18 +188,14 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
     });
   }
   // Bodies have one velocity, but of a minimal trace that is what it says of each.
-  judge_velocity_after(c, event, event.i, b.v_i, dp, node.dp_error, node.inverse_mass[0], body->loads + 1);
-  judge_velocity_after(c, event, event.j, b.v_j, W(-1) * dp, node.dp_error, node.inverse_mass[1],
-                       body->loads + 1);
-  const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
-  const W mu = W(1) / (node.inverse_mass[0] + node.inverse_mass[1]);
-  const W error = c.u() * length(dp) + node.dp_error;
-  const double roundings = 4 + 2 * body->loads;
-  judge_balance(c,
-                Balance<W>{b.v_i, b.v_j, after(event.i), after(event.j), node.inverse_mass[0],
-                           node.inverse_mass[1], b.r, error, roundings, W(-dot(dp, dp) / (W(2) * mu)),
-                           W(roundings) * error * length(dp) / mu, false},
-                c.pair(event.i, event.j));
+  BodiesNow<Number> sides = b;
+  sides.inverse_i = node.inverse_mass[0];
+  sides.inverse_j = node.inverse_mass[1];
+  sides.mu = W(1) / (sides.inverse_i + sides.inverse_j);
+  sides.loads = body->loads + 1;
+  judge_parted(c, event, sides, node.outer, dp, node.dp_error, sides.loads);
+  judge_direction(c, event, node.outer);
+  judge_parting_conservation(c, event, sides, node);
 }
 
 }  // namespace tps::check

@@ -4,24 +4,14 @@
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/responses.hpp"
+#include "verify/trace_check/rules/directed.hpp"
+#include "verify/trace_check/rules/direction.hpp"
+#include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
 
-/// What a collision should do: of a broken tether, what it would have done.
-template <typename W>
-struct Expected {
-  Response<W> response;
-  double roundings;      ///< of an evaluation, in units of response.error
-  std::string equation;  ///< "(4)" or "(5)"
-};
-
 namespace detail {
-
-/// Roundings of Δp by the formulas as they stand (docs/eq4.md, docs/eq5.md), four more for θ at its ends, and
-/// two for each mass that was added up.
-inline double roundings_of_impulse(int loads) {
-  return 12 + 2 * loads;
-}
 
 template <typename Number>
 void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, const EventLine<Number>& event,
@@ -44,6 +34,15 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
 
 }  // namespace detail
 
+/// How far c_retract v_n and tan θ |v_ŵ| may be computed from each other: both sides have six roundings of
+/// |v|, the tangent two more; positions add the turn of the axis.
+template <typename Number>
+Work<Number> margin_of_kind(const BodiesNow<Number>& b, const PairRules<Number>& rules,
+                            const Work<Number>& u) {
+  using W = Work<Number>;
+  return (W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) * (W(rules.c_retract) + rules.tan_theta);
+}
+
 /// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the
 /// boundary both are.
 template <typename Number>
@@ -55,16 +54,14 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   const W across = length(b.across());
   const W pulled = abs(W(rules.c_retract) * v_n);
   const W needed = rules.tan_theta * across;
-  // Both sides have six roundings of |v|; positions add the turn of the axis, the tangent two more.
-  const W turn = c.u() + b.blur / b.distance();
-  const W unit = W(8) * turn * length(b.v) * (W(rules.c_retract) + rules.tan_theta) * c.scale() +
-                 c.model.precision.smallest;
+  const W unit = margin_of_kind(b, rules, c.u()) * c.scale() + c.model.precision.smallest;
   const bool retracts = event.kind == Kind::retract;
   const bool boundary = abs(pulled - needed) <= unit || (v_n <= W(0) && !retracts);
   const bool right = boundary || (retracts ? pulled > needed : pulled < needed && across > W(0));
   c.tally.demand(Rule::impulse, right, [&](Finding& f) {
+    const auto [has, needs] = told_apart(pulled, needed);
     f.message = fmt::format("{} {}s, but |c_retract v_n| = {} and tan θ |v_ŵ| = {}", c.pair(b.i, b.j),
-                            name(event.kind), shown(pulled), shown(needed));
+                            name(event.kind), has, needs);
     detail::describe_impulse(c, b, event, Expected<W>{{}, 0, "(5)"}, f);
   });
 }
@@ -75,7 +72,7 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
                                    const BodiesNow<Number>& b) {
   using W = Work<Number>;
   const PairRules<Number>& rules = c.model.rules.of(b.i, b.j);
-  const double roundings = detail::roundings_of_impulse(b.loads);
+  constexpr double roundings = kRoundingsOfImpulse;
   if (event.kind == Kind::rebound) return {by_eq4(b, rules.c_rebound, false, c.u()), roundings, "(4)"};
   const bool suffices = W(rules.c_retract) * b.v_n() > rules.tan_theta * length(b.across());
   const bool revolves = event.kind == Kind::revolve || (event.kind == Kind::broken && !suffices);
@@ -83,41 +80,60 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
   return {by_eq4(b, rules.c_retract, true, c.u()), roundings, "(4)"};
 }
 
+/// Positions may be so uncertain that any Δp would do; then there is nothing to judge.
+template <typename Number>
+bool is_vague(const Context<Number>& c, const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
+  using W = Work<Number>;
+  if (b.blur == W(0)) return false;
+  const W bound = W(expected.roundings) * expected.response.error;
+  if (bound < length(expected.response.dp)) return false;
+  c.tally.cannot_tell(Rule::impulse, [&] {
+    return fmt::format("where the axis of {} is uncertain by {} radians and Δp by {}", c.pair(b.i, b.j),
+                       shown(detail::turn_of_axis(b)), shown(bound));
+  });
+  return true;
+}
+
 /// Δp as recorded.
 template <typename Number>
 void judge_dp(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
               const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
-  if (!event.dp) return;
+  if (!event.dp || is_vague(c, b, expected)) return;
   const W off = largest(widened<W>(*event.dp) - expected.response.dp);
   const W unit = expected.response.error + c.model.precision.smallest;
   c.tally.within(Rule::impulse, as_double(W(off / unit)), expected.roundings, [&](Finding& f) {
-    f.message = fmt::format("Δp of {} is {}, but eq. {} gives {}", c.pair(b.i, b.j),
-                            shown(*event.dp, c.model.scene.dimension), expected.equation,
-                            shown(expected.response.dp, c.model.scene.dimension));
+    const Vec<W> dp = widened<W>(*event.dp);
+    const auto [found, right] = told_apart(dp, expected.response.dp, c.model.scene.dimension);
+    f.message =
+        fmt::format("Δp of {} is {}, but eq. {} gives {}", c.pair(b.i, b.j), found, expected.equation, right);
+    f.reading = reading_of_impulse(c, event, b, expected, dp, W(0));
     detail::describe_impulse(c, b, event, expected, f);
   });
 }
 
-/// Eq. (3), v + Δp/m, for every particle that an impulse moves: three roundings.
+/// Eq. (3), v + Δp/m, for every particle that an impulse moves: two roundings of Δp/m, however it is written,
+/// and one of the sum; `impulse_error` is what Δp may be off by.
 template <typename Number>
 void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& event, int particle,
                           const Vec<Work<Number>>& before, const Vec<Work<Number>>& impulse,
-                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads) {
+                          const Work<Number>& impulse_error, const Work<Number>& inverse_mass, int loads,
+                          const std::string& reading = {}) {
   using W = Work<Number>;
   using std::abs;
   const InvolvedParticle<Number>* p = event.of(particle);
   if (p == nullptr || c.model.fixed(particle)) return;
   const Vec<W> expected = before + inverse_mass * impulse;
   const Vec<W> after = widened<W>(p->velocity_after);
-  const W unit = c.u() * (largest(after) + W(1 + loads) * inverse_mass * largest(impulse)) +
-                 inverse_mass * impulse_error + c.model.precision.smallest;
+  const W unit = c.u() * (largest(after) + W(3 + loads) / W(3) * inverse_mass * largest(impulse)) +
+                 inverse_mass * impulse_error / W(3) + c.model.precision.smallest;
   c.tally.within(Rule::impulse, as_double(W(largest(after - expected) / unit)), 3, [&](Finding& f) {
     f.particles = {c.model.id(particle)};
+    const auto [found, right] = told_apart(after, expected, c.model.scene.dimension);
     f.message = fmt::format("particle {} leaves with velocity {}, but v + Δp/m is {}", c.model.id(particle),
-                            shown(p->velocity_after, c.model.scene.dimension),
-                            shown(expected, c.model.scene.dimension));
+                            found, right);
     f.equation = "(3)";
+    f.reading = reading;
     ReplayInput in(c.model.scene.dimension);
     in.number("m_A", mass_of(inverse_mass))
         .number("m_B", HUGE_VAL)
@@ -128,16 +144,64 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
   });
 }
 
+/// Of velocities by eq. (3) from Δp.
+template <typename Number>
+DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const EventLine<Number>& event,
+                                             const BodiesNow<Number>& b, bool outer,
+                                             const Vec<Work<Number>>& dp, const Work<Number>& error,
+                                             int loads) {
+  using W = Work<Number>;
+  const W inverse = b.inverse_i + b.inverse_j;
+  const W after_i = largest(widened<W>(event.of(b.i)->velocity_after));
+  const W after_j = largest(widened<W>(event.of(b.j)->velocity_after));
+  const W stored =
+      W(3) * c.u() * (after_i + after_j + W(3 + loads) / W(3) * inverse * largest(dp)) + inverse * error;
+  return directed_slack(c, b, outer, b.v - inverse * dp, stored, W(after_i + after_j));
+}
+
+/// v + Δp/m on both sides, each to its rounding and that of a direction.
+template <typename Number>
+void judge_parted(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
+                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads,
+                  const std::string& reading = {}) {
+  using W = Work<Number>;
+  const DirectedSlack<W> slack = slack_of_parting(c, event, b, outer, dp, error, loads);
+  const auto moved = [](const W& by, const W& inverse) { return inverse > W(0) ? W(by / inverse) : W(0); };
+  judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + moved(slack.of_i, b.inverse_i)), b.inverse_i,
+                       loads, reading);
+  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, W(error + moved(slack.of_j, b.inverse_j)),
+                       b.inverse_j, loads, reading);
+}
+
+/// Without an impulse nothing is computed: velocities stay, to the last bit.
+template <typename Number>
+void judge_unchanged(const Context<Number>& c, const EventLine<Number>& event) {
+  const int dimension = c.model.scene.dimension;
+  for (const InvolvedParticle<Number>& p : event.involved) {
+    const Vec<Number>& before = p.velocity_before ? *p.velocity_before : c.model.flight(p.particle).velocity;
+    c.tally.demand(Rule::impulse, p.velocity_after == before, [&](Finding& f) {
+      const auto [found, right] = told_apart(p.velocity_after, before, dimension);
+      f.particles = {c.model.id(p.particle)};
+      f.message =
+          fmt::format("particle {} leaves with velocity {}, but a {} gives no impulse and it came with {}",
+                      c.model.id(p.particle), found, name(event.kind), right);
+      f.equation = "(3)";
+    });
+  }
+}
+
 /// The velocities after a collision that is not grouped: by eq. (3) with the recorded Δp.
 template <typename Number>
 void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& event,
                            const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
   const bool broken = event.kind == Kind::broken;
-  const Vec<W> dp = broken ? Vec<W>{} : event.dp ? widened<W>(*event.dp) : expected.response.dp;
-  const W error = broken || event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  judge_velocity_after(c, event, b.i, b.v_i, dp, error, b.inverse_i, b.loads);
-  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, error, b.inverse_j, b.loads);
+  if (broken) return judge_unchanged(c, event);
+  if (!event.dp && is_vague(c, b, expected)) return;
+  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
+  const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
+  const std::string reading = event.dp ? "" : reading_of_velocities(c, event, b, expected);
+  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads, reading);
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.
@@ -147,18 +211,17 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const int dimension = model.scene.dimension;
-  // Weights m_A/(m_A + m_B) by inverse masses, which lets an infinite one through.
-  const W sum = b.inverse_i + b.inverse_j;
-  const Vec<W> v_load = W(b.inverse_j / sum) * b.v_i + W(b.inverse_i / sum) * b.v_j;
-  const W unit = c.u() * (largest(b.v_i) + largest(b.v_j)) + model.precision.smallest;
+  const Loaded<W> loaded = by_eq6(b, c.u());
+  const Vec<W>& v_load = loaded.velocity;
+  const W unit = loaded.error / W(kRoundingsOfLoad) + model.precision.smallest;
   for (const InvolvedParticle<Number>& p : event.involved) {
     if (model.fixed(p.particle)) continue;
     const W off = largest(widened<W>(p.velocity_after) - v_load);
-    c.tally.within(Rule::impulse, as_double(W(off / unit)), 6 + 2 * b.loads, [&](Finding& f) {
+    c.tally.within(Rule::impulse, as_double(W(off / unit)), kRoundingsOfLoad, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
-      f.message =
-          fmt::format("particle {} is loaded with velocity {}, but v_load is {}", model.id(p.particle),
-                      shown(p.velocity_after, dimension), shown(v_load, dimension));
+      const auto [found, right] = told_apart(widened<W>(p.velocity_after), v_load, dimension);
+      f.message = fmt::format("particle {} is loaded with velocity {}, but v_load is {}",
+                              model.id(p.particle), found, right);
       f.equation = "(6)";
       ReplayInput in(dimension);
       in.number("m_A", mass_of(b.inverse_i))
@@ -171,13 +234,14 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
   if (!event.dp_stored) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const Vec<W> kept = dp - b.mu * b.v;
-  const W kept_unit = c.u() * (largest(dp) + b.mu * length(b.v)) +
-                      (event.dp ? W(0) : expected.response.error) + model.precision.smallest;
-  c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)),
-                 6 + 2 * b.loads, [&](Finding& f) {
-                   f.message =
-                       fmt::format("the impulse stored for {} is {}, but Δp − μ v_AB is {}", c.pair(b.i, b.j),
-                                   shown(*event.dp_stored, dimension), shown(kept, dimension));
+  const W kept_unit = c.u() * (largest(dp) + W(6 + b.loads) / W(6) * b.mu * length(b.v)) +
+                      (event.dp ? W(0) : W(expected.roundings / 6) * expected.response.error) +
+                      model.precision.smallest;
+  c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)), 6,
+                 [&](Finding& f) {
+                   const auto [found, right] = told_apart(widened<W>(*event.dp_stored), kept, dimension);
+                   f.message = fmt::format("the impulse stored for {} is {}, but Δp − μ v_AB is {}",
+                                           c.pair(b.i, b.j), found, right);
                    f.equation = "(7)";
                    ReplayInput in(dimension);
                    in.number("m_A", mass_of(b.inverse_i)).number("m_B", mass_of(b.inverse_j));

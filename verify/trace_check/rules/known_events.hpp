@@ -1,17 +1,11 @@
 // Rule earliest, for what is known in advance: restitutions, phase changes and scheduled impulses.
 #pragma once
 
+#include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/earliest.hpp"
 
 namespace tps::check {
-
-/// Order at one time (docs/decisions.md, D13).
-constexpr int rank(Kind kind) {
-  if (kind == Kind::restitute) return 0;
-  if (is_phase(kind)) return 1;
-  return kind == Kind::scheduled_impulse ? 2 : 3;
-}
 
 /// A time of the scene as the run has it.
 template <typename Number>
@@ -19,80 +13,107 @@ Instant<Number> known_time(double t, const Precision<Number>& precision) {
   return {stored<Number>(t, precision), Number(0)};
 }
 
-/// When a body expires: its latest load and Δt_restitute, hi + lo.
+/// The turn of something whose time is no answer to a query.
 template <typename Number>
-Instant<Number> expiry_of(const Model<Number>& model, const Body<Number>& body) {
-  const Number dt = stored<Number>(model.scene.grouping->dt_restitute, model.precision);
+Turn<Number> known_turn(const Context<Number>& c, const Instant<Number>& t, int its_rank, int particle = -1) {
+  Turn<Number> turn{t, std::nullopt, its_rank, particle, particle};
   if constexpr (std::is_same_v<Number, double>) {
-    const exact::DoubleWord sum = exact::two_sum(body.loaded.hi, dt);
-    const exact::DoubleWord normal = exact::two_sum(sum.hi, sum.lo + body.loaded.lo);
-    return {normal.hi, normal.lo};
-  } else {
-    return {body.loaded.hi + dt, Number(0)};
+    if (c.certified()) turn.moment = known_moment(t);
   }
+  return turn;
+}
+template <typename Number>
+Turn<Number> turn_of(const Context<Number>& c, const Body<Number>& body) {
+  return known_turn(c, body.expiry, rank(Kind::restitute), body.members.front());
+}
+template <typename Number>
+Turn<Number> turn_of_phase(const Context<Number>& c) {
+  const double at = c.model.phase_changes[c.model.phases_done].at;
+  return known_turn(c, known_time<Number>(at, c.model.precision), rank(Kind::phase_begin));
+}
+template <typename Number>
+Turn<Number> turn_of_impulse(const Context<Number>& c) {
+  const double at = c.model.impulses[c.model.impulses_done].at;
+  return known_turn(c, known_time<Number>(at, c.model.precision), rank(Kind::scheduled_impulse));
 }
 
-namespace detail {
-
-/// Whether something known in advance should have come before the event that happens.
-template <typename Number>
-bool is_late(const Context<Number>& c, const Instant<Number>& due_at, int its_rank,
-             const Happening<Number>& happening, int rank_now, const Work<Number>& error) {
-  using W = Work<Number>;
-  const W late = elapsed(due_at, happening.t);
-  if constexpr (std::is_same_v<Number, double>) {
-    if (c.certified() && happening.moment && std::fabs(late) > error) {
-      const std::weak_ordering order =
-          c.exact.order(Moment{due_at.hi, due_at.lo, std::nullopt, 1}, *happening.moment);
-      return order < 0 || (order == 0 && its_rank < rank_now);
-    }
-  }
-  if (late > error) return true;
-  return late == W(0) && its_rank < rank_now;
-}
-
-}  // namespace detail
-
-/// Nothing that is known in advance is passed over by this event.
-template <typename Number>
-void judge_known_events(const Context<Number>& c, const EventLine<Number>& event,
-                        const Happening<Number>& happening) {
+/// What is known in advance and has been passed over by something. `is_due(turn, error)` decides, where the
+/// times concerned may be off by `error`; what is found is not waited for any more. An event that is a change
+/// of a phase or an impulse is the next of its kind itself; a body that parts is `parting`.
+template <typename Number, typename IsDue>
+void judge_waiting(const Context<Number>& c, std::optional<Kind> now, const Body<Number>* parting,
+                   IsDue is_due) {
   using W = Work<Number>;
   Model<Number>& model = c.model;
-  const int now = rank(event.kind);
-  // Scheduled times are stored numbers; the times of a minimal trace are rounded.
-  const W stored_error = c.minimal ? c.time_error(event.t) : W(0);
-  if (model.scene.grouping) {
-    while (const Body<Number>* body = model.groups.first_to_expire()) {
-      const Instant<Number> expiry = expiry_of(model, *body);
-      if (!detail::is_late(c, expiry, rank(Kind::restitute), happening, now, c.time_error(event.t))) break;
-      if (event.kind == Kind::restitute) break;  // its own rule says whether it is in time
-      c.tally.demand(Rule::earliest, false, [&](Finding& f) {
-        f.particles.clear();
-        for (const int member : body->members) f.particles.push_back(model.id(member));
-        f.message = fmt::format("the body of particle {} expires at {} and has not parted",
-                                model.id(body->members.front()), c.shown_time(expiry));
-        f.equation = "(7)";
-      });
-      model.groups.stop_waiting_for(body);
-    }
-  }
-  const auto scheduled = [&](double t, Kind kind, const char* what) {
-    const Instant<Number> due_at = known_time<Number>(t, model.precision);
-    if (!detail::is_late(c, due_at, rank(kind), happening, now, stored_error)) return false;
+  const bool narrow = std::is_same_v<Number, double>;
+  while (const Body<Number>* body = model.groups.first_to_expire()) {
+    const Turn<Number> turn = turn_of(c, *body);
+    // Sums of the wider scalars are not the run's to the last bit.
+    if (body == parting || !is_due(turn, narrow && !c.minimal ? W(0) : c.time_error(turn.t))) break;
     c.tally.demand(Rule::earliest, false, [&](Finding& f) {
-      f.message = fmt::format("the {} of time {} has not happened yet", what, c.shown_time(due_at));
+      f.particles.clear();
+      for (const int member : body->members) f.particles.push_back(model.id(member));
+      f.message = fmt::format("the body of particle {} expires at {} and has not parted",
+                              model.id(body->members.front()), c.shown_time(body->expiry));
+      f.equation = "(7)";
+    });
+    model.groups.stop_waiting_for(body);
+  }
+  const auto judge = [&](const Turn<Number>& turn, const char* what) {
+    if (!is_due(turn, c.minimal ? c.time_error(turn.t) : W(0))) return false;
+    c.tally.demand(Rule::earliest, false, [&](Finding& f) {
+      f.message = fmt::format("the {} of time {} has not happened yet", what, c.shown_time(turn.t));
     });
     return true;
   };
-  while (!is_phase(event.kind) && model.phases_done < model.phase_changes.size() &&
-         scheduled(model.phase_changes[model.phases_done].at, Kind::phase_begin, "phase change")) {
+  while (!(now && is_phase(*now)) && model.phases_done < model.phase_changes.size() &&
+         judge(turn_of_phase(c), "phase change")) {
     model.apply_phase_change();
   }
-  while (event.kind != Kind::scheduled_impulse && model.impulses_done < model.impulses.size() &&
-         scheduled(model.impulses[model.impulses_done].at, Kind::scheduled_impulse, "scheduled impulse")) {
+  while (now != Kind::scheduled_impulse && model.impulses_done < model.impulses.size() &&
+         judge(turn_of_impulse(c), "scheduled impulse")) {
     ++model.impulses_done;
   }
+}
+
+/// Nothing that is known in advance is passed over by this event, which has its own turn.
+template <typename Number>
+void judge_known_events(const Context<Number>& c, const EventLine<Number>& event, const Turn<Number>& turn) {
+  using W = Work<Number>;
+  const bool parts = event.kind == Kind::restitute;
+  judge_waiting(c, event.kind, parts ? c.model.groups.with_root(event.i, event.j) : nullptr,
+                [&](const Turn<Number>& other, const W& error) {
+                  if (c.certified()) return c.turns.order(other, turn) < 0;
+                  const W late = elapsed(other.t, event.t);
+                  if (late > error) return true;
+                  return !c.minimal && late == W(0) && c.turns.order(other, turn) < 0;
+                });
+}
+
+/// Nothing known in advance was left waiting at the duration of a run, or at all where it claims that no more
+/// events are ahead. Within rounding of the end of a certified run exact order has a say: `left` is judged
+/// together.
+template <typename Number>
+void judge_known_at_end(const Context<Number>& c, const Instant<Number>& end, Until until,
+                        std::vector<LeftWaiting>& left) {
+  using W = Work<Number>;
+  judge_waiting(c, std::nullopt, static_cast<const Body<Number>*>(nullptr),
+                [&](const Turn<Number>& other, const W& error) {
+                  if (until == Until::ever) return true;
+                  if constexpr (std::is_same_v<Number, double>) {
+                    const Precision<double>& precision = c.model.precision;
+                    if (c.certified() && !(latest_rival(end, precision) < other.t) &&
+                        !(latest_rival(other.t, precision) < end)) {
+                      left.push_back({other, false, [&c, other](Finding& f) {
+                                        f.message = fmt::format(
+                                            "what the scene or a load has due at {} has not happened",
+                                            c.shown_time(other.t));
+                                      }});
+                      return false;
+                    }
+                  }
+                  return W(elapsed(other.t, end)) >= error;
+                });
 }
 
 /// An event that the scene has at a given time is at that time; under certified timing at the clock's, where

@@ -33,12 +33,12 @@ void judge_end(const Context<Number>& c, const EndLine<Number>& end) {
   c.tally.demand(Rule::end, end.events == model.events, [&](Finding& f) {
     f.message = fmt::format("the end counts {} events, the trace has {}", end.events, model.events);
   });
-  const W apart = elapsed(model.last_event, end.t);
+  const W apart = elapsed(model.now, end.t);
   const bool by_time = end.reason == "duration";
   const W error = c.minimal ? c.time_error(end.t) : W(0);
   c.tally.demand(Rule::end, by_time ? apart >= -error : abs(apart) <= error, [&](Finding& f) {
     f.message = fmt::format("the end is at {}, {} the last event at {}", c.shown_time(end.t),
-                            by_time ? "before" : "and not at", c.shown_time(model.last_event));
+                            by_time ? "before" : "and not at", c.shown_time(model.now));
   });
   const std::uint64_t still = model.events - model.progress_event;
   const bool stalls = still > stall_limit(model.flights.size());

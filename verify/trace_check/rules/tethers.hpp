@@ -1,6 +1,7 @@
 // Rule tethers: tethers form and break by the rules of their pair.
 #pragma once
 
+#include "reference/scene/random.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/impulse.hpp"
@@ -13,6 +14,26 @@ bool has_room(const Model<Number>& model, int i) {
   const Particle& p = model.scene.particles[static_cast<std::size_t>(i)];
   const auto& capacity = model.scene.species[static_cast<std::size_t>(p.species)].max_tethers;
   return !capacity || model.tethers[static_cast<std::size_t>(i)].size() < static_cast<std::size_t>(*capacity);
+}
+
+/// A draw is that of the seed, for what it is for (docs/decisions.md, N12), unless it is taken as given.
+template <typename Number>
+void judge_draw(const Context<Number>& c, const EventLine<Number>& event) {
+  if (!c.own_draws) return;
+  const Model<Number>& model = c.model;
+  const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
+  const std::int32_t i = model.id(event.i);
+  const std::int32_t j = model.id(event.j);
+  const auto before = model.draws.find({static_cast<int>(purpose), i, j});
+  const std::uint32_t used = before == model.draws.end() ? 0 : before->second;
+  const double right =
+      uniform(model.scene.seed, purpose, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), used);
+  c.tally.demand(Rule::tethers, *event.draw == right, [&](Finding& f) {
+    const auto [found, expected] = told_apart(*event.draw, right);
+    f.message = fmt::format(
+        "the draw of {} is {}; draw {} of seed {} for it is {} (--trust-draws takes draws as given)",
+        c.pair(event.i, event.j), found, used, model.scene.seed, expected);
+  });
 }
 
 /// A random number is drawn exactly where a probability decides. @return whether it says yes.
@@ -29,6 +50,7 @@ std::optional<bool> decision(const Context<Number>& c, const EventLine<Number>& 
                             c.pair(event.i, event.j));
   });
   if (!asked || !event.draw) return std::nullopt;
+  judge_draw(c, event);
   return *event.draw < probability;
 }
 
@@ -83,12 +105,13 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
     should = beyond > W(0);
     if (beyond <= unit && beyond >= -unit) should = breaks;
   }
+  const auto [size_shown, threshold] =
+      told_apart(length(expected.response.dp), W(stored<Number>(rules.breaks.threshold, model.precision)));
   c.tally.demand(Rule::tethers, breaks == should, [&](Finding& f) {
     f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
                             should ? "breaks" : "holds",
                             rules.breaks.when == When::impulse_above
-                                ? fmt::format(": |Δp| = {} and the threshold is {}",
-                                              shown(length(expected.response.dp)), rules.breaks.threshold)
+                                ? fmt::format(": |Δp| = {} and the threshold is {}", size_shown, threshold)
                                 : std::string());
   });
 }

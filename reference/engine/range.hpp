@@ -1,0 +1,68 @@
+// The range of a run's scalar: no number of a run is ever infinite or NaN where it stands for something
+// finite. Whoever meets one throws; the driver of the run ends it at the step before (docs/engine.md,
+// "Range").
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "reference/engine/clock.hpp"
+#include "reference/engine/ledger.hpp"
+#include "reference/engine/record.hpp"
+#include "reference/equations/vector.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps {
+
+/// A number left the range of the scalar. what() says which one: "the velocity of particle 3".
+class OutOfRange : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+inline std::string particle_name(const Scene& scene, int i) {
+  return "particle " + std::to_string(scene.particles[static_cast<std::size_t>(i)].id);
+}
+inline std::string pair_name(const Scene& scene, int i, int j) {
+  return "particles " + std::to_string(scene.particles[static_cast<std::size_t>(i)].id) + " and " +
+         std::to_string(scene.particles[static_cast<std::size_t>(j)].id);
+}
+
+/// Throws OutOfRange unless every number of an event is finite.
+template <typename Scalar, int D>
+void require_range(const Scene& scene, const Record<Scalar, D>& record) {
+  const auto event = [&] { return " at their " + std::string(record.kind); };
+  for (const ParticleChange<Scalar, D>& change : record.involved) {
+    if (!is_finite<Scalar, D>(change.position))
+      throw OutOfRange("the position of " + particle_name(scene, change.particle));
+    if (!is_finite<Scalar, D>(change.velocity_after))
+      throw OutOfRange("the velocity of " + particle_name(scene, change.particle) + " after its " +
+                       std::string(record.kind));
+  }
+  if (record.dp && !is_finite<Scalar, D>(*record.dp))
+    throw OutOfRange("the impulse between " + pair_name(scene, record.i, record.j) + event());
+  if (record.dp_stored && !is_finite<Scalar, D>(*record.dp_stored))
+    throw OutOfRange("the stored impulse of " + pair_name(scene, record.i, record.j) + event());
+  if (!is_finite(record.dt)) throw OutOfRange("the time since the event before");
+}
+
+/// Throws OutOfRange unless every sum of the ledger is finite.
+template <typename Scalar, int D>
+void require_range(const Ledger<Scalar, D>& ledger) {
+  const auto require = [](const Scalar& x, const char* name) {
+    if (!is_finite(x)) throw OutOfRange(name);
+  };
+  require(ledger.kinetic_at_start, "the kinetic energy at the start");
+  require(ledger.lost.value(), "the energy lost in collisions");
+  require(ledger.stored.value(), "the energy stored in groups");
+  require(ledger.work.value(), "the work of impulses from outside");
+  require(ledger.energy_bound, "the square of a speed times a mass");
+  require(ledger.momentum_bound, "a speed times a mass");
+  for (std::size_t k = 0; k < ledger.from_walls.size(); ++k) {
+    require(ledger.momentum_at_start[static_cast<int>(k)], "the momentum at the start");
+    require(ledger.from_walls[k].value(), "the momentum given by infinite masses");
+    require(ledger.from_outside[k].value(), "the momentum given by impulses from outside");
+  }
+}
+
+}  // namespace tps

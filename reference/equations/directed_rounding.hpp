@@ -1,0 +1,132 @@
+// The last rounding of a response, directed: the stored velocities of a pair that has rebounded never
+// approach, those of one that was pulled never part (docs/engine.md, "Directed rounding").
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "reference/equations/dyadic.hpp"
+#include "reference/equations/eq3_apply_impulse.hpp"
+#include "reference/equations/vector.hpp"
+
+namespace tps {
+
+namespace detail {
+
+/// (u_B − u_A)·(v_B − v_A) without component `without`.
+template <typename Scalar, int D>
+Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
+                 const Vector<Scalar, D>& v_B, int without) {
+  Dyadic sum;
+  for (int k = 0; k < D; ++k) {
+    if (k == without) continue;
+    const Scalar &a = u_A[k], &b = u_B[k], &x = v_A[k], &y = v_B[k];
+    sum = sum + (dyadic(b) - dyadic(a)) * (dyadic(y) - dyadic(x));
+  }
+  return sum;
+}
+
+}  // namespace detail
+
+/// The sign of (u_B − u_A)·(v_B − v_A), that of v_n, as real arithmetic has it on the stored numbers: −1
+/// approaching, 0, 1 parting.
+///
+/// A rounded sum decides where its error cannot: two differences, a product and at most two additions a term
+/// are at most 5 · 2u of Σ|r_k w_k| even where subtraction errs by 0.75 ulp, 16 · 2u with its own rounding;
+/// an underflow adds less than the smallest normal number. Else integers decide.
+/// 0 where an input is not finite. Laws: (1) exchanging A and B keeps it; (2) exchanging velocities flips it;
+/// (3) lengths or velocities times 2^k keep it.
+template <typename Scalar, int D>
+int normal_sign(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
+                const Vector<Scalar, D>& v_B) {
+  using std::abs;
+  using Limits = std::numeric_limits<Scalar>;
+  Scalar sum(0);
+  Scalar size(0);
+  for (int k = 0; k < D; ++k) {
+    const Scalar term = (u_B[k] - u_A[k]) * (v_B[k] - v_A[k]);
+    sum += term;
+    size += abs(term);
+  }
+  if (abs(sum) > Scalar(16) * Limits::epsilon() * size + (Limits::min)() && size <= (Limits::max)()) {
+    return sum > Scalar(0) ? 1 : -1;
+  }
+  const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
+  if (!finite(u_A) || !finite(u_B) || !finite(v_A) || !finite(v_B)) return 0;
+  return detail::exact_dot<Scalar, D>(u_A, u_B, v_A, v_B, -1).sign();
+}
+
+/// Which way a pair may move along û after its response.
+enum class Leaving {
+  apart,     ///< after a rebound: v_n' ≥ 0
+  together,  ///< after a retraction or revolution: v_n' < 0, or at rest with each other
+};
+
+namespace detail {
+
+template <typename Scalar, int D>
+bool leaves(Leaving leaving, const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+            const PairVelocities<Scalar, D>& v) {
+  const int sign = normal_sign<Scalar, D>(u_A, u_B, v.v_A, v.v_B);
+  if (leaving == Leaving::apart) return sign >= 0;
+  return sign < 0 || v.v_A == v.v_B;
+}
+
+template <typename Scalar, int D>
+int largest_component(const Vector<Scalar, D>& x) {
+  using std::abs;
+  int k = 0;
+  for (int n = 1; n < D; ++n) {
+    if (abs(x[n]) > abs(x[k])) k = n;
+  }
+  return k;
+}
+
+}  // namespace detail
+
+/// Velocities of a pair after its response, with v_n' of the right sign in real arithmetic.
+///
+/// Where rounding (or an impulse too small for a mass) has left the wrong sign, one component of one
+/// velocity is set anew: of the lighter body, since its change carries the least momentum; of equal masses of
+/// the one that is faster along that component, which slows it; the component is that of the largest
+/// |u_B − u_A|. The value that makes v_n' = 0 is a quotient of exact sums, rounded once, outwards. Together
+/// with the rest of the velocities no number nearer to it has the right sign.
+///
+/// After a pull v_n' = 0 will do only for a pair at rest: across the axis it would leave at once, so that
+/// there one number further is taken.
+///
+/// @param m_A,m_B masses in (0, ∞], of bodies where particles are grouped. REQUIRES not both infinite,
+/// u_A ≠ u_B.
+/// Laws: (1) afterwards the exact v_n' is ≥ 0 (`apart`), < 0 or the pair at rest (`together`);
+/// (2) velocities that have the right sign are kept bitwise; (3) an infinite mass, and the heavier one,
+/// keeps its velocity; (4) at most one component changes, by at most √D |v_n| of before, and one rounding;
+/// (5) applied twice it is as applied once; (6) lengths times 2^k change nothing, velocities times 2^k
+/// multiply by 2^k, bitwise. Not finite numbers are handed back as they are.
+template <typename Scalar, int D>
+PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
+                                   const std::type_identity_t<Scalar>& m_A,
+                                   const std::type_identity_t<Scalar>& m_B, PairVelocities<Scalar, D> v,
+                                   Leaving leaving) {
+  using std::abs;
+  const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
+  if (!finite(u_A) || !finite(u_B) || !finite(v.v_A) || !finite(v.v_B)) return v;
+  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
+  const int k = detail::largest_component<Scalar, D>(u_B - u_A);
+  const bool changes_A = m_A == m_B ? abs(v.v_A[k]) >= abs(v.v_B[k]) : m_A < m_B;
+  Scalar& changed = changes_A ? v.v_A[k] : v.v_B[k];
+  const Scalar other = changes_A ? v.v_B[k] : v.v_A[k];
+
+  // r_k (y − x) + rest = 0: x of A is (r_k y + rest)/r_k, y of B is (r_k x − rest)/r_k.
+  const Scalar &a = u_A[k], &b = u_B[k];
+  const Dyadic r_k = dyadic(b) - dyadic(a);
+  const Dyadic rest = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, k);
+  const Dyadic numerator = r_k * dyadic(other) + (changes_A ? rest : -rest);
+  const bool B_goes_up = (r_k.sign() > 0) == (leaving == Leaving::apart);
+  const Rounding outwards = B_goes_up != changes_A ? Rounding::up : Rounding::down;
+  changed = rounded_quotient<Scalar>(numerator, r_k, outwards);
+  if (!detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) changed = next_number(changed, outwards);
+  return v;
+}
+
+}  // namespace tps

@@ -1,0 +1,331 @@
+// Lies about what was due and in which order, by the hundred: of every honest trace the same trace told
+// otherwise, wrong exactly where it says so (docs/check.md, "Whose turn it is").
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "reference/scene/read_scene.hpp"
+#include "reference/trace/hexfloat.hpp"
+#include "tests/run/traced_run.hpp"
+#include "tests/trace_check/edits.hpp"
+#include "tests/trace_check/rows.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps::mutation {
+namespace {
+
+using check::CheckReport;
+
+constexpr std::uint64_t kScenes = 12;  // of every kind
+
+CheckReport checked(const Trace& trace) {
+  const std::string path = testing::scratch("turns.ndjson");
+  testing::write_bytes(path, text_of(trace));
+  return check::check_trace(path);
+}
+
+std::string first_of(const CheckReport& report) {
+  std::string text;
+  for (const check::Finding& f : report.findings) {
+    text += std::string(name(f.rule)) + (f.outcome == check::Outcome::undecided ? "? " : ": ") + "event " +
+            std::to_string(f.event) + ": " + f.message + "\n";
+  }
+  return text;
+}
+
+/// Counts what was told, so that no test is empty.
+struct Told {
+  int honest = 0, lies = 0;
+};
+
+/// A trace and what is to be thought of it.
+void expect_honest(const Trace& trace, Told& told, const std::string& what) {
+  const CheckReport report = checked(trace);
+  ++told.honest;
+  EXPECT_EQ(report.violated() + report.undecided(), 0U) << what << '\n'
+                                                        << first_of(report) << text_of(trace).substr(0, 4000);
+}
+void expect_lie(const Trace& trace, Told& told, const std::string& what) {
+  const CheckReport report = checked(trace);
+  ++told.lies;
+  EXPECT_GT(report.violated(), 0U) << what << '\n' << text_of(trace).substr(0, 4000);
+}
+
+std::string time_of(const Trace& trace, std::size_t line) {
+  return trace.lines[line].at("t");
+}
+
+using RowsAndMaking = std::tuple<Rows, std::string, Timing>;
+class ToldOtherwise : public ::testing::TestWithParam<RowsAndMaking> {
+ protected:
+  Rows rows() const { return std::get<0>(GetParam()); }
+  Making making() const { return {std::get<1>(GetParam()), std::get<2>(GetParam())}; }
+  bool certified() const { return making().timing == Timing::certified; }
+  /// Whether something by the first time is clearly not due at the second: without certified timing a trace
+  /// is judged by an interval of computed times.
+  bool clearly_before(const Json& t, const Json& other) const {
+    return certified() ? elapsed(t, other) >= 0 : elapsed(t, other) > 1e-12 * number(other);
+  }
+
+  Trace whole_run(std::uint64_t seed) const {
+    RunOptions options;
+    options.max_events = 24;
+    return run_of(scene_of_rows(rows(), seed), making(), options);
+  }
+};
+
+TEST_P(ToldOtherwise, EndsThatComeTooLate) {
+  Told told;
+  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+    const Trace whole = whole_run(seed);
+    expect_honest(whole, told, "the run itself");
+    const std::vector<std::size_t> events = event_lines(whole);
+    for (std::size_t n = 0; n < events.size(); ++n) {
+      const std::string what = "behind " + std::to_string(n) + " events, seed " + std::to_string(seed);
+      const std::string last = n == 0 ? "0x0p+0" : time_of(whole, events[n - 1]);
+      const std::string next = time_of(whole, events[n]);
+      const bool in_a_step = whole.lines[events[n]].at("kind") == "restitute" && last == next && n > 0 &&
+                             whole.lines[events[n - 1]].at("kind") == "restitute" &&
+                             rows() != Rows::bodies;  // of more than two: its nodes are one step
+      if (in_a_step) continue;
+      expect_honest(ended_behind(whole, n, "max_events", last), told, what + ", max_events");
+      expect_lie(ended_behind(whole, n, "no_more_events", last), told, what + ", no_more_events");
+      const std::string kind = whole.lines[events[n]].at("kind");
+      const bool is_known = kind == "restitute" || kind == "scheduled_impulse" || kind.starts_with("phase");
+      if (!certified() && !is_known) continue;
+      expect_lie(ended_behind(whole, n, "duration", next), told, what + ", at the next");
+    }
+  }
+  EXPECT_GT(told.lies, 50);
+}
+
+/// Runs that end at an event's time, at the numbers beside it, and between two.
+TEST_P(ToldOtherwise, DurationsAtEvents) {
+  Told told;
+  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+    const Scene scene = scene_of_rows(rows(), seed);
+    const Trace whole = whole_run(seed);
+    std::set<double> times;
+    for (const std::size_t line : event_lines(whole)) {
+      const double t = number(whole.lines[line].at("t"));
+      for (const double beside : {std::nextafter(t, 0.), t, std::nextafter(t, HUGE_VAL), t * 1.125})
+        times.insert(making().scalar == "float" ? static_cast<double>(static_cast<float>(beside)) : beside);
+      if (times.size() > 16) break;
+    }
+    for (const double until : times) {
+      if (!(until > 0)) continue;
+      RunOptions options;
+      options.until = until;
+      const Trace run = run_of(scene, making(), options);
+      const std::string what = "until " + std::to_string(until) + ", seed " + std::to_string(seed);
+      expect_honest(run, told, what);
+      const std::vector<std::size_t> events = event_lines(run);
+      for (std::size_t dropped = 1; dropped <= std::min<std::size_t>(3, events.size()); ++dropped) {
+        const std::size_t kept = events.size() - dropped;
+        if (!clearly_before(run.lines[events[kept]].at("t"), to_hex(until))) continue;
+        if (run.lines.back().at("end") != "duration") continue;
+        expect_lie(ended_behind(run, kept, "duration", to_hex(until)), told, what);
+      }
+    }
+  }
+  EXPECT_GT(told.lies, 25);
+}
+
+std::set<int> particles_of(const Json& event) {
+  std::set<int> ids;
+  if (!event.contains("pre")) return ids;
+  for (const auto& [id, state] : event.at("pre").items()) ids.insert(std::stoi(id));
+  return ids;
+}
+
+bool share_nobody(const Json& a, const Json& b) {
+  for (const int id : particles_of(a)) {
+    if (particles_of(b).contains(id)) return false;
+  }
+  return true;
+}
+
+/// An event that is missing while its particles have no other.
+TEST_P(ToldOtherwise, EventsThatNeverCame) {
+  Told told;
+  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+    const Trace whole = whole_run(seed);
+    const std::vector<std::size_t> events = event_lines(whole);
+    for (std::size_t n = 0; n + 1 < events.size(); ++n) {
+      const Json& gone = whole.lines[events[n]];
+      const bool is_last_of_its =
+          std::all_of(events.begin() + static_cast<std::ptrdiff_t>(n) + 1, events.end(),
+                      [&](std::size_t m) { return share_nobody(gone, whole.lines[m]); });
+      const bool is_in_time = clearly_before(gone.at("t"), whole.lines[events.back()].at("t"));
+      if (!is_last_of_its || !is_in_time || !gone.contains("i")) continue;
+      Trace lie = whole;
+      erase_line(lie, events[n]);
+      settle(lie);
+      expect_lie(lie, told, "without event " + std::to_string(n + 1) + ", seed " + std::to_string(seed));
+    }
+  }
+  const bool has_gaps = rows() == Rows::ties || rows() == Rows::bodies || rows() == Rows::planned;
+  EXPECT_TRUE(told.lies > 5 || !has_gaps) << told.lies;
+}
+
+/// Two neighbours that share nobody come in the other order, the one that is now second at the clock's time.
+TEST_P(ToldOtherwise, NeighboursExchanged) {
+  Told told;
+  for (std::uint64_t seed = 0; seed < 3 * kScenes; ++seed) {
+    const Trace whole = whole_run(seed);
+    Retold before(whole);
+    const std::vector<std::size_t> events = event_lines(whole);
+    for (std::size_t n = 0; n + 1 < events.size(); ++n) {
+      const Json& first = whole.lines[events[n]];
+      const Json& second = whole.lines[events[n + 1]];
+      const double apart = elapsed(first.at("t"), second.at("t"));
+      const bool near = certified() ? apart <= epsilon(whole) * number(second.at("t")) : apart == 0;
+      if (near && first.contains("i") && share_nobody(first, second)) {
+        Trace lie = whole;
+        lie.lines[events[n]]["t"] = second.at("t");
+        for (const char* when : {"pre", "post"}) {
+          for (const auto& [id, state] : lie.lines[events[n]][when].items())
+            state["position"] = spelt(lie, before.position(std::stoi(id), second.at("t")));
+        }
+        std::swap(lie.lines[events[n]], lie.lines[events[n + 1]]);
+        settle(lie);
+        expect_lie(lie, told, "event " + std::to_string(n + 1) + ", seed " + std::to_string(seed));
+      }
+      before.hear(whole.lines[events[n]], events[n]);
+    }
+  }
+  const bool has_ties =
+      rows() == Rows::ties || rows() == Rows::bodies || (certified() && rows() == Rows::near_ties);
+  EXPECT_TRUE(told.lies > 10 || !has_ties) << told.lies;
+}
+
+/// Powers of two for units change no verdict, up to the ends of the range.
+TEST_P(ToldOtherwise, AreLiesInAnyUnits) {
+  if (making().scalar == "float") GTEST_SKIP() << "floats have no such range";
+  Told told;
+  for (const auto& [length, speed] : {std::pair(-900, -880), std::pair(-300, 20), std::pair(300, 290),
+                                      std::pair(-280, -282), std::pair(980, 900), std::pair(0, -900)}) {
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      const Trace whole = whole_run(seed);
+      const std::string what = "lengths 2^" + std::to_string(length) + ", seed " + std::to_string(seed);
+      const std::vector<std::size_t> events = event_lines(whole);
+      expect_honest(in_units(whole, length, speed), told, what);
+      for (std::size_t n = 0; n < events.size(); n += 2) {
+        const std::string last = n == 0 ? "0x0p+0" : time_of(whole, events[n - 1]);
+        expect_lie(in_units(ended_behind(whole, n, "no_more_events", last), length, speed), told, what);
+        const std::string later = to_hex(number(whole.lines[events[n]].at("t")) * 1.5 + .25);
+        expect_lie(in_units(ended_behind(whole, n, "duration", later), length, speed), told, what);
+      }
+    }
+  }
+  EXPECT_GT(told.lies, 30);
+}
+
+/// Traces with one lie that the check once took for honest, each another one.
+TEST(Lies, OfAnEarlierCheck) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(TPS_SOURCE_DIR "/tests/trace_check/lies")) {
+    ++count;
+    EXPECT_GT(check::check_trace(file.path()).violated(), 0U) << file.path();
+  }
+  EXPECT_EQ(count, 6);
+}
+
+// A long flight's moment, 2^20 + 1/3, is behind its computed time; an event that began just before is due
+// between the two. The end comes at the computed time, where a first look sees that pair still clear of its
+// limit.
+TEST(Lies, OfMomentsBehindTheirTimes) {
+  Told told;
+  for (int n = 1; n <= 100; ++n) {
+    Scene scene = testing::plain_scene(2);
+    testing::block(scene, 0, 0);
+    testing::add_particle(scene, 0, {-0x3p20 - 2, 0, 0}, {3, 0, 0});
+    testing::add_particle(scene, 0, {0, 0, 0}, {0, 0, 0});
+    testing::add_particle(scene, 0, {0, 8, 0}, {0, 0, 0});
+    testing::add_particle(scene, 0, {2 - .0098 * n * 0x1p-32, 8, 0}, {0, 0, 0});
+    scene.impulses = {{.at = 0x1p20, .particle = 2, .impulse = {3, 0, 0}}};
+    RunOptions options;
+    options.max_events = 3;
+    const Trace run = run_of(scene, {"double", Timing::certified}, options);
+    expect_honest(run, told, "both happen");
+    const std::vector<std::size_t> events = event_lines(run);
+    ASSERT_EQ(run.lines[events[1]].at("i"), 2) << "the one that began late is exactly first";
+    Trace lie = run;
+    erase_line(lie, events[1]);
+    Retold before(lie);
+    before.hear(lie.lines[events[0]], events[0]);
+    carry_event(lie, events[1], before, 0x1p20 + 1. / 3);
+    expect_lie(lie, told, "the one that began late is left out");
+  }
+}
+
+// Exact misses by less than rounding, which a certified run and its check both know to be misses.
+TEST(HonestRuns, LeaveNothingUndecidedUnderCertifiedTiming) {
+  const Scene scene =
+      read_scene_file(TPS_SOURCE_DIR "/tests/trace_check/honest/certified_undecided_inf.json");
+  Told told;
+  expect_honest(run_of(scene, {"double", Timing::certified}), told, "eight exact misses");
+}
+
+/// A crowd that flies apart from a lattice; one of them, if asked, flies at its neighbour.
+Trace crowd_apart(int side, bool one_turns) {
+  Trace trace;
+  trace.scene = testing::plain_scene(3);
+  testing::block(trace.scene, 0, 0);
+  Json particles = Json::array();
+  for (int n = 0; n < side * side * side; ++n) {
+    const double x[3] = {2. * (n % side), 2. * (n / side % side), 2. * (n / side / side)};
+    const double away = one_turns && n == 0 ? -1 : 1;
+    const double middle = side;
+    particles.push_back({{"species", "p"},
+                         {"position", {x[0], x[1], x[2]}},
+                         {"velocity", {away * (x[0] - middle), x[1] - middle, x[2] - middle}}});
+  }
+  const Json scene = {{"tps", 1},
+                      {"dimension", 3},
+                      {"duration", "inf"},
+                      {"species", {{"p", {{"mass", 1}, {"radius", .5}}}}},
+                      {"pairs", {{{"between", {"p", "p"}}, {"blocking", {{"c_rebound", 1}}}}}},
+                      {"particles", particles}};
+  trace.lines = {{{"trace", 1},
+                  {"semantics", 1},
+                  {"scalar", "double"},
+                  {"options", {{"timing", "certified"}, {"state_every", 1000}}},
+                  {"scene", scene}},
+                 {{"end", "no_more_events"}, {"events", 0}, {"t", "0x0p+0"}}};
+  return trace;
+}
+
+// That nothing more happens is judged however many particles there are.
+TEST(Lies, ThatNothingMoreHappensToMany) {
+  Told told;
+  for (const int side : {6, 29}) {
+    expect_honest(crowd_apart(side, false), told, "a crowd that flies apart");
+    expect_lie(crowd_apart(side, true), told, "one of them turns");
+  }
+}
+
+std::vector<RowsAndMaking> all() {
+  std::vector<RowsAndMaking> list;
+  for (const Rows rows : kRows) {
+    list.emplace_back(rows, "double", Timing::certified);
+    list.emplace_back(rows, "float", Timing::certified);
+    // Grazes are undecided then.
+    if (rows != Rows::grazes) list.emplace_back(rows, "double", Timing::stable);
+  }
+  return list;
+}
+
+std::string name_of(const ::testing::TestParamInfo<RowsAndMaking>& info) {
+  constexpr const char* kNames[] = {"Ties", "NearTies", "Grazes", "Bodies", "Planned", "Tethered"};
+  const auto& [rows, scalar, timing] = info.param;
+  return std::string(kNames[static_cast<int>(rows)]) + '_' + scalar + '_' +
+         timing_names()[static_cast<std::size_t>(timing)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ToldOtherwise, ::testing::ValuesIn(all()), name_of);
+
+}  // namespace
+}  // namespace tps::mutation

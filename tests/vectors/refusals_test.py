@@ -1,0 +1,42 @@
+"""Replies that answer nothing must not pass: refusals, silence, skips of what is offered, empty objects.
+
+refusals_test.py PROGRAM SOURCE_DIR
+"""
+import json, os, subprocess, sys
+
+program, source = sys.argv[1:]
+
+
+def tps(*words, text=""):
+    return subprocess.run([program, *words], input=text, capture_output=True, text=True)
+
+
+def verify(path, replies):
+    return tps("vectors", "verify", path, "--answers", "-", text="".join(json.dumps(r) + "\n" for r in replies))
+
+
+tried = 0
+for name in ("load.plain", "block_time.plain", "order.plain", "tether_response.plain", "group.chain", "next_event.gas"):
+    path = os.path.join(source, "data/vectors", name + ".jsonl")
+    op = name.split(".")[0]
+    right = [json.loads(r) for r in tps("serve", text=tps("vectors", "requests", path).stdout).stdout.splitlines()]
+    others = len(right) - 1
+    hello = {"name": "mine", "version": "1", "ops": [op]}
+    refused = f"1 answers judged, 0 wrong, {others} refused or without an answer\n"
+    expected = {
+        "all right": (right, 0, f"{len(right)} answers judged, 0 wrong\n"),
+        "refused": ([right[0]] + [{"seq": r["seq"], "error": "bad_input"} for r in right[1:]], 1, refused),
+        "silent": (right[:1], 1, refused),
+        "skipped": ([right[0]] + [{"seq": r["seq"], "skip": "unknown_op"} for r in right[1:]], 1, refused),
+        "all skipped, offered": ([hello] + [{"seq": r["seq"], "skip": "unknown_op"} for r in right], 1,
+                                 f"0 answers judged, 0 wrong, {len(right)} refused or without an answer\n"),
+        "not offered": ([{"seq": r["seq"], "skip": "unknown_op"} for r in right], 5,
+                        f"0 answers judged, 0 wrong, {len(right)} of operations that are not offered\n"),
+        "empty": ([{"seq": r["seq"], "out": {}} for r in right], 1, f"{len(right)} answers judged, {len(right)} wrong\n"),
+    }
+    for what, (replies, code, says) in expected.items():
+        tried += 1
+        run = verify(path, replies)
+        if (run.returncode, run.stdout) != (code, says):
+            sys.exit(f"{name}, {what}: exit code {run.returncode}, {run.stdout!r}; expected {code}, {says!r}\n{run.stderr[:500]}")
+print(f"{tried} sets of replies")

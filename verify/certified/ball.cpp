@@ -1,0 +1,138 @@
+#include "verify/certified/ball.hpp"
+
+#include <arb.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tps::certified {
+namespace {
+
+thread_local WorkingPrecision* innermost = nullptr;
+
+constexpr long kBitsWithoutAChoice = 512;
+
+/// An integer of FLINT.
+class Flint {
+ public:
+  Flint() { fmpz_init(x_); }
+  explicit Flint(const Integer& x) : Flint() {
+    std::vector<ulong> limbs;
+    export_bits(abs(x), std::back_inserter(limbs), FLINT_BITS, false);
+    fmpz_set_ui_array(x_, limbs.data(), static_cast<slong>(limbs.size()));
+    if (x < 0) fmpz_neg(x_, x_);
+  }
+  ~Flint() { fmpz_clear(x_); }
+  Flint(const Flint&) = delete;
+  Flint& operator=(const Flint&) = delete;
+
+  fmpz* get() { return x_; }
+  Integer integer() const {
+    std::vector<ulong> limbs(static_cast<std::size_t>(fmpz_size(x_)) + 1);
+    fmpz_t magnitude;
+    fmpz_init(magnitude);
+    fmpz_abs(magnitude, x_);
+    fmpz_get_ui_array(limbs.data(), static_cast<slong>(limbs.size()), magnitude);
+    fmpz_clear(magnitude);
+    Integer result;
+    import_bits(result, limbs.begin(), limbs.end(), FLINT_BITS, false);
+    return fmpz_sgn(x_) < 0 ? Integer(-result) : result;
+  }
+
+ private:
+  fmpz_t x_;
+};
+
+}  // namespace
+
+WorkingPrecision::WorkingPrecision(long bits) : outer_(std::exchange(innermost, this)), bits_(bits) {}
+
+WorkingPrecision::~WorkingPrecision() {
+  innermost = outer_;
+}
+
+long WorkingPrecision::bits() {
+  return innermost != nullptr ? innermost->bits_ : kBitsWithoutAChoice;
+}
+
+void WorkingPrecision::doubt() {
+  if (innermost != nullptr) innermost->doubted_ = true;
+}
+
+struct Ball::Arb {
+  Arb() { arb_init(x); }
+  ~Arb() { arb_clear(x); }
+  Arb(const Arb&) = delete;
+  Arb& operator=(const Arb&) = delete;
+  arb_t x;
+};
+
+Ball::Ball() : arb_(std::make_shared<Arb>()) {}
+
+Ball::Ball(const Rational& x) : Ball() {
+  Flint n(numerator(x)), d(denominator(x));
+  arb_fmpz_div_fmpz(arb_->x, n.get(), d.get(), WorkingPrecision::bits());
+}
+
+Ball::Ends Ball::ends() const {
+  if (arb_is_finite(arb_->x) == 0) {
+    WorkingPrecision::doubt();
+    const Rational beyond_doubles(Integer(1) << 1100U);
+    return {-beyond_doubles, beyond_doubles};
+  }
+  Flint lo, hi, exponent;
+  arb_get_interval_fmpz_2exp(lo.get(), hi.get(), exponent.get(), arb_->x);
+  const slong shift = fmpz_get_si(exponent.get());
+  const Integer power = Integer(1) << static_cast<unsigned>(std::abs(shift));
+  const auto end = [&](const Flint& x) {
+    return shift >= 0 ? Rational(x.integer() * power) : Rational(x.integer(), power);
+  };
+  return {end(lo), end(hi)};
+}
+
+Sign Ball::sign() const {
+  if (arb_is_positive(arb_->x) != 0) return Sign::positive;
+  if (arb_is_negative(arb_->x) != 0) return Sign::negative;
+  WorkingPrecision::doubt();
+  return Sign::uncertain;
+}
+
+Ball operator+(const Ball& x, const Ball& y) {
+  Ball sum;
+  arb_add(sum.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  return sum;
+}
+
+Ball operator*(const Ball& x, const Ball& y) {
+  Ball product;
+  arb_mul(product.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  return product;
+}
+
+Ball operator/(const Ball& x, const Ball& y) {
+  Ball quotient;
+  arb_div(quotient.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  return quotient;
+}
+
+Ball sqrt(const Ball& x) {
+  Ball root;
+  arb_sqrtpos(root.arb_->x, x.arb_->x, WorkingPrecision::bits());
+  return root;
+}
+
+Ball cos_squared_pi(const Ball& x) {
+  Ball cosine;
+  arb_cos_pi(cosine.arb_->x, x.arb_->x, WorkingPrecision::bits());
+  return cosine * cosine;
+}
+
+Ball pow(const Ball& x, const Ball& y) {
+  Ball power;
+  arb_pow(power.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  return power;
+}
+
+}  // namespace tps::certified

@@ -1,0 +1,23 @@
+// A scene as the certified next event takes it: bodies, and the limits at which pairs of them can meet.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/scene/scene.hpp"
+#include "verify/certified/certified_next_event.hpp"
+
+namespace tps::certified {
+
+/// So many particles are half a million pairs, each asked exactly.
+constexpr std::size_t kMostParticles = 1000;
+
+/// What of the scene keeps its next event from being certified, in words: phases, impulses from outside,
+/// rules with a probability. Absent where nothing does.
+std::optional<std::string> not_certified(const Scene& scene);
+
+/// The particles in the order of ids, and every limit of theirs, blocking before tethering of one pair. Takes
+/// time and memory quadratic in the particles. REQUIRES !not_certified(scene).
+NextEventInput next_event_input(const Scene& scene);
+
+}  // namespace tps::certified

@@ -1,0 +1,97 @@
+// How Checker finds out which pairs can have met, and asks each. Included by the instantiating sources only.
+#pragma once
+
+#include "verify/trace_check/checker.hpp"
+
+namespace tps::check {
+
+/// Where a particle is anchored. What double cannot hold of a speed may not get lost: 2^1000 times a vanished
+/// one is a way.
+template <typename Number>
+void Checker<Number>::place(int i, const Instant<Number>& now) {
+  const Vec<W> x = model_.position(i, now);
+  const Flight<Number>& f = model_.flight(i);
+  Coordinates position{}, velocity{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    position[k] = static_cast<double>(x[k]);
+    velocity[k] = static_cast<double>(f.velocity[k]);
+    if (velocity[k] == 0 && f.velocity[k] != Number(0))
+      velocity[k] = std::numeric_limits<double>::denorm_min();
+  }
+  neighbours_.place(i, position, velocity, static_cast<double>(now.hi));
+}
+
+/// What holds for both flights: a wall never begins another one, so that only its partner's counts.
+template <typename Number>
+Told Checker<Number>::told_of(int i, int j) const {
+  const auto of = [this](int a, int b) {
+    const std::map<int, Told>& told = told_[Model<Number>::at(a)];
+    const auto found = told.find(b);
+    return found == told.end() ? 0U : found->second.bits;
+  };
+  if (model_.fixed(i)) return {of(j, i)};
+  if (model_.fixed(j)) return {of(i, j)};
+  return {of(i, j) & of(j, i)};
+}
+
+template <typename Number>
+void Checker<Number>::note_told(int i, int j, const Told& told) {
+  if (!model_.fixed(i)) told_[Model<Number>::at(i)][j] = told;
+  if (!model_.fixed(j)) told_[Model<Number>::at(j)][i] = told;
+}
+
+template <typename Number>
+void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
+                                    const Happening<Number>& happening) {
+  if (i == j) return;
+  const int a = std::min(i, j);
+  const int b = std::max(i, j);
+  Told told = told_of(a, b);
+  const StepNumber since = std::max(changed_at_[Model<Number>::at(a)], changed_at_[Model<Number>::at(b)]);
+  const Asked asked = judge_pair(context_, a, b, until, turns_.latest_since(since), happening, told);
+  earliest_held_ = earliest_held_ && asked.earliest;
+  bounds_held_ = bounds_held_ && asked.bounds;
+  if (!asked.earliest || !asked.bounds) note_told(a, b, told);
+}
+
+/// Everybody whom a particle can have met since the later of the two anchors, and its tethered partners.
+template <typename Number>
+void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
+                                     const Happening<Number>& happening) {
+  for (const int j : neighbours_.near(i)) judge_meeting(i, j, until, happening);
+  for (const int j : model_.tethers[Model<Number>::at(i)]) judge_meeting(i, j, until, happening);
+  for (const int j : permanent_[Model<Number>::at(i)]) judge_meeting(i, j, until, happening);
+}
+
+template <typename Number>
+void Checker<Number>::judge_with_everybody(int i, const Instant<Number>& until,
+                                           const Happening<Number>& happening) {
+  for (int j = 0; j < model_.size(); ++j) judge_meeting(i, j, until, happening);
+}
+
+/// Particles that leave their anchors are judged where they were and get new ones. A particle that has looked
+/// at as many others as there are (a long flight through a fine grid) is asked with everybody instead, once:
+/// so it costs at most twice what the cheaper way does.
+template <typename Number>
+void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happening<Number>& happening) {
+  const double end = static_cast<double>(until.hi);
+  std::vector<int> looked;
+  while (const auto expired = neighbours_.expiry_until(end)) {
+    const int i = expired->particle;
+    const Instant<Number> now{Number(expired->t), Number(0)};
+    const Instant<Number>& since = model_.flight(i).since;
+    std::size_t& looks = looks_[Model<Number>::at(i)];
+    if (looks == 0) looked.push_back(i);
+    looks += neighbours_.near(i).size() + Neighbours::kCellsAround;
+    if (looks >= looks_.size()) {
+      judge_with_everybody(i, until, happening);
+      place(i, until);
+      continue;
+    }
+    if (since < now) judge_meetings(i, now, happening);
+    place(i, since < now ? now : since);
+  }
+  for (const int i : looked) looks_[Model<Number>::at(i)] = 0;
+}
+
+}  // namespace tps::check

@@ -1,0 +1,68 @@
+// Signed sums of residuals, and how far chance may have taken them.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tps::check {
+
+/// The least-squares estimate of b in y = b x + rounding, with a standard error that regular motion does not
+/// fool.
+///
+/// A ball in a circle meets the same chord at every hit, another way round: the residuals are all those of
+/// one rounding and not independent, though no two are the same. Residuals of like events, whose `size`
+/// agrees in 24 bits, are therefore added up first, and the error is that of these sums (White's estimator
+/// for clustered data). It means something where there are many of them: `independent` is (Σ x²)²/Σ (Σ x² of
+/// a cluster)². Clusters share 2^16 places, which adds up some that have nothing to do with each other; that
+/// changes no expectation.
+class Residuals {
+ public:
+  void add(double y, double x, double size) {
+    const std::uint64_t like = std::bit_cast<std::uint64_t>(std::fabs(size)) >> 29U;
+    Sums& sums = clusters_[(like * 0x9e3779b97f4a7c15U) >> 48U];
+    sums.xy += x * y;
+    sums.xx += x * x;
+    ++count_;
+  }
+
+  std::uint64_t count() const { return count_; }
+  double mean() const {
+    const Sums all = total();
+    return all.xx > 0 ? all.xy / all.xx : 0;
+  }
+  double standard_error() const {
+    const Sums all = total();
+    const double m = mean();
+    double variance = 0;
+    for (const Sums& s : clusters_) variance += (s.xy - m * s.xx) * (s.xy - m * s.xx);
+    return all.xx > 0 ? std::sqrt(variance) / all.xx : 0;
+  }
+  double independent() const {
+    const Sums all = total();
+    double squares = 0;
+    for (const Sums& s : clusters_) squares += s.xx * s.xx;
+    return squares > 0 ? all.xx * all.xx / squares : 0;
+  }
+
+ private:
+  struct Sums {
+    double xy = 0, xx = 0;
+  };
+  Sums total() const {
+    Sums all;
+    for (const Sums& s : clusters_) {
+      all.xy += s.xy;
+      all.xx += s.xx;
+    }
+    return all;
+  }
+
+  std::uint64_t count_ = 0;
+  std::vector<Sums> clusters_ = std::vector<Sums>(std::size_t{1} << 16U);
+};
+
+}  // namespace tps::check

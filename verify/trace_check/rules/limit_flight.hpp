@@ -1,0 +1,33 @@
+// A pair on its way to one of its limits, which rules earliest and bounds judge.
+#pragma once
+
+#include "verify/trace_check/context.hpp"
+#include "verify/trace_check/pair_flight.hpp"
+#include "verify/trace_check/replay.hpp"
+
+namespace tps::check {
+
+/// Until a moment.
+template <typename Number>
+struct LimitFlight {
+  int i, j;
+  PairFlight<Number> pair;
+  LimitAsked<Work<Number>> asked;
+  Quadratic<Work<Number>> q;
+  Work<Number> dt;
+
+  const char* limit() const { return asked.outer ? "outer" : "inner"; }
+};
+
+namespace detail {
+
+template <typename Number>
+void say_about(const Context<Number>& c, const LimitFlight<Number>& flight, Finding& f) {
+  f.particles = {c.model.id(flight.i), c.model.id(flight.j)};
+  f.equation = "(2)";
+  f.replay = replay_of_time(flight.pair, flight.asked.outer, flight.asked.L, c.model.scene.dimension);
+}
+
+}  // namespace detail
+
+}  // namespace tps::check
