@@ -8,7 +8,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties {

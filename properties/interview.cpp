@@ -8,9 +8,9 @@
 
 #include "properties/implementations/has_answer.hpp"
 #include "reference/process/interrupt.hpp"
-#include "reference/scene/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
-#include "reference/trace/hexfloat.hpp"
 
 namespace tps::properties {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "properties/runs/scratch_file.hpp"
 #include "properties/runs/simulator.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::properties::campaign {

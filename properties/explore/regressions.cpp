@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/nearest_name.hpp"
+#include "reference/text/input_error.hpp"
 #include "reference/text/line_source.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/vectors/generate.hpp"

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/printable.hpp"
 
 namespace tps::properties {

@@ -15,8 +15,8 @@
 #include "reference/equations/eq6_load_velocity.hpp"
 #include "reference/equations/eq7_restitution_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
-#include "reference/scene/number_text.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::properties {
 

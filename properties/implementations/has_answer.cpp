@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "properties/implementations/read_reply.hpp"
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 #include "verify/protocol/conversation.hpp"
 
 namespace tps::properties {

@@ -12,7 +12,7 @@
 #include "properties/implementations/child_process.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/serve_library.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 

@@ -16,7 +16,7 @@
 #include "properties/c_abi/tps_implementation.h"
 #include "properties/case.hpp"
 #include "reference/equations/timing_verdict.hpp"
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::properties {
 namespace {

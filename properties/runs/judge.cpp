@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::properties::runs {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "properties/runs/trace_check_instead.hpp"
-#include "reference/scene/number_text.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::properties::runs {
 namespace {

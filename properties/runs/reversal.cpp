@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/scalars.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
 namespace tps::properties::runs {

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 
 namespace tps::properties::runs {
 namespace {

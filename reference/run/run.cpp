@@ -7,7 +7,7 @@
 #include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "reference/version.hpp"
 
 namespace tps {

@@ -12,8 +12,8 @@
 #include "reference/engine/range.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scalars.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/number_text.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps {
 

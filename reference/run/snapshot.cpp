@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "reference/run/trace_file.hpp"
-#include "reference/scene/input_error.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps {
 namespace {

@@ -11,15 +11,15 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/run/resume.hpp"
-#include "reference/scene/file_kind.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
-#include "reference/scene/schema_words.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/checksum.hpp"
 #include "reference/text/fields.hpp"
+#include "reference/text/file_kind.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
 #include "reference/text/line_source.hpp"
+#include "reference/text/schema_words.hpp"
 #include "reference/version.hpp"
 
 namespace tps {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "reference/run/run.hpp"
-#include "reference/trace/output.hpp"
+#include "reference/text/output.hpp"
 #include "reference/trace/state_data.hpp"
 
 namespace tps {

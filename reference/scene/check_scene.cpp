@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "reference/scene/check_starts.hpp"
-#include "reference/scene/number_text.hpp"
-#include "reference/scene/schema_words.hpp"
+#include "reference/text/number_text.hpp"
+#include "reference/text/schema_words.hpp"
 
 namespace tps {
 namespace {

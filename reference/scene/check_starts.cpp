@@ -9,8 +9,8 @@
 #include <map>
 #include <string_view>
 
-#include "reference/scene/number_text.hpp"
 #include "reference/scene/point_tree.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps {
 namespace {

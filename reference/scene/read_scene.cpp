@@ -1,11 +1,11 @@
 #include "reference/scene/read_scene.hpp"
 
 #include "reference/scene/check_scene.hpp"
-#include "reference/scene/file_kind.hpp"
 #include "reference/scene/scene_sections.hpp"
 #include "reference/scene/scene_source.hpp"
-#include "reference/scene/schema_validator.hpp"
-#include "reference/scene/text_file.hpp"
+#include "reference/text/file_kind.hpp"
+#include "reference/text/schema_validator.hpp"
+#include "reference/text/text_file.hpp"
 
 namespace tps {
 namespace {

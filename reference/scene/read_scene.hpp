@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
 
 namespace tps {
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "reference/scene/json_number.hpp"
-#include "reference/scene/nearest_name.hpp"
-#include "reference/scene/schema_words.hpp"
+#include "reference/text/json_number.hpp"
+#include "reference/text/nearest_name.hpp"
+#include "reference/text/schema_words.hpp"
 
 namespace tps {
 namespace {

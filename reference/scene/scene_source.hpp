@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
-#include "reference/scene/json_pointer.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/json_pointer.hpp"
 
 namespace tps {
 

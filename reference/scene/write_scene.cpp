@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps {
 namespace {

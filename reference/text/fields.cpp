@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "reference/scene/json_pointer.hpp"
-#include "reference/scene/nearest_name.hpp"
-#include "reference/scene/schema_words.hpp"
+#include "reference/text/json_pointer.hpp"
+#include "reference/text/nearest_name.hpp"
+#include "reference/text/schema_words.hpp"
 
 namespace tps {
 

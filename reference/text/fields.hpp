@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 
 namespace tps {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 
 namespace tps {
 

@@ -9,8 +9,8 @@
 
 #include "reference/engine/group_coupling.hpp"
 #include "reference/engine/simulation.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/trace/check_state.hpp"
-#include "reference/trace/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
 namespace tps {

@@ -6,7 +6,7 @@
 
 #include "reference/engine/record.hpp"
 #include "reference/scene/scene.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps {
 

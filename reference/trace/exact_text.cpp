@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps {
 namespace {

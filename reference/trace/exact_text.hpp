@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/trace/state_data.hpp"
 
 namespace tps {

@@ -7,8 +7,8 @@
 
 #include "reference/text/checksum.hpp"
 #include "reference/text/fields.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/printable.hpp"
-#include "reference/trace/hexfloat.hpp"
 
 namespace tps {
 

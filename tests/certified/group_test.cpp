@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/certified/certified_response.hpp"
 
 namespace tps::certified {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
 
 namespace tps::certified {

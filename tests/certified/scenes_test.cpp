@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "reference/scene/builders/galperin.hpp"
-#include "reference/scene/builders/three_body.hpp"
-#include "reference/scene/builders/two_anchors.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
+#include "verify/scenes/galperin.hpp"
+#include "verify/scenes/three_body.hpp"
+#include "verify/scenes/two_anchors.hpp"
 
 namespace tps {
 namespace {

@@ -7,9 +7,9 @@
 #include <regex>
 #include <stdexcept>
 
-#include "reference/scene/builders/registry.hpp"
 #include "reference/scene/clusters.hpp"
 #include "verify/draw/view.hpp"
+#include "verify/scenes/registry.hpp"
 
 namespace tps {
 namespace {

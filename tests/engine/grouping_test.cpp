@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "reference/scene/builders/gas.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/gas.hpp"
 
 namespace tps {
 namespace {

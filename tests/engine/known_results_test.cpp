@@ -4,12 +4,12 @@
 #include <cmath>
 #include <set>
 
-#include "reference/scene/builders/cradle.hpp"
-#include "reference/scene/builders/galperin.hpp"
-#include "reference/scene/builders/pair.hpp"
-#include "reference/scene/builders/three_body.hpp"
-#include "reference/scene/builders/two_anchors.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/cradle.hpp"
+#include "verify/scenes/galperin.hpp"
+#include "verify/scenes/pair.hpp"
+#include "verify/scenes/three_body.hpp"
+#include "verify/scenes/two_anchors.hpp"
 
 namespace tps {
 namespace {

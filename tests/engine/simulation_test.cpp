@@ -11,8 +11,8 @@
 
 #include "reference/engine/group_coupling.hpp"
 #include "reference/run/explain.hpp"
-#include "reference/scene/builders/gas.hpp"
-#include "reference/scene/builders/three_body.hpp"
+#include "verify/scenes/gas.hpp"
+#include "verify/scenes/three_body.hpp"
 
 namespace tps {
 namespace {

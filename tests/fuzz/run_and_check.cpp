@@ -7,8 +7,8 @@
 #include <string>
 
 #include "reference/run/run.hpp"
-#include "reference/scene/input_error.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::fuzz {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "properties/implementations/reference.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps::properties {
 namespace {

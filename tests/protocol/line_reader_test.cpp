@@ -1,5 +1,5 @@
 // Lines from a pipe: when they come, in what pieces, and what is too long.
-#include "verify/protocol/line_reader.hpp"
+#include "reference/text/line_reader.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps::protocol {
 namespace {

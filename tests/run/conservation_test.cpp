@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/scene/builders/galperin.hpp"
-#include "reference/scene/builders/registry.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/galperin.hpp"
+#include "verify/scenes/registry.hpp"
 
 namespace tps {
 namespace {

@@ -4,12 +4,12 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "reference/scene/builders/gas.hpp"
-#include "reference/scene/builders/ring.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/gas.hpp"
+#include "verify/scenes/ring.hpp"
 
 namespace tps {
 namespace {

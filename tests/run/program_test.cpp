@@ -12,11 +12,11 @@
 #include <fstream>
 #include <thread>
 
-#include "reference/scene/builders/gas.hpp"
-#include "reference/scene/builders/three_body.hpp"
-#include "reference/scene/builders/two_anchors.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/gas.hpp"
+#include "verify/scenes/three_body.hpp"
+#include "verify/scenes/two_anchors.hpp"
 
 namespace tps {
 namespace {

@@ -6,11 +6,11 @@
 #include <random>
 
 #include "reference/run/trace_file.hpp"
-#include "reference/scene/builders/terminal.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/trace/output.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/output.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
+#include "verify/scenes/terminal.hpp"
 
 namespace tps {
 namespace {

@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "reference/scene/builders/galperin.hpp"
-#include "reference/scene/builders/pair.hpp"
-#include "reference/scene/builders/ring.hpp"
-#include "reference/scene/builders/terminal.hpp"
-#include "reference/scene/builders/two_anchors.hpp"
 #include "tests/run/traced_run.hpp"
+#include "verify/scenes/galperin.hpp"
+#include "verify/scenes/pair.hpp"
+#include "verify/scenes/ring.hpp"
+#include "verify/scenes/terminal.hpp"
+#include "verify/scenes/two_anchors.hpp"
 
 namespace tps {
 namespace {

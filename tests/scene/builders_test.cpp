@@ -11,13 +11,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "reference/scene/builders/gas.hpp"
-#include "reference/scene/builders/registry.hpp"
-#include "reference/scene/builders/ring.hpp"
-#include "reference/scene/builders/terminal.hpp"
-#include "reference/scene/builders/three_body.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "verify/scenes/gas.hpp"
+#include "verify/scenes/registry.hpp"
+#include "verify/scenes/ring.hpp"
+#include "verify/scenes/terminal.hpp"
+#include "verify/scenes/three_body.hpp"
 
 namespace tps {
 namespace {

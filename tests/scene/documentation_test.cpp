@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reference/scene/read_scene.hpp"
-#include "reference/scene/schema_validator.hpp"
+#include "reference/text/schema_validator.hpp"
 #include "tests/support/content.hpp"
 
 namespace tps {

@@ -1,5 +1,5 @@
 // What a file is, by how it begins.
-#include "reference/scene/file_kind.hpp"
+#include "reference/text/file_kind.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <random>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps {
 namespace {

@@ -1,5 +1,5 @@
 // The tree, its lines, and texts that are hostile to whoever reads them.
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -14,9 +14,9 @@
 #include <string>
 #include <string_view>
 
-#include "reference/scene/json_pointer.hpp"
 #include "reference/scene/read_scene.hpp"
-#include "reference/scene/text_file.hpp"
+#include "reference/text/json_pointer.hpp"
+#include "reference/text/text_file.hpp"
 
 namespace tps {
 namespace {

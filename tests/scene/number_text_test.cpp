@@ -1,4 +1,4 @@
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The interpreter of schemas on its own, on schemas made for the purpose.
-#include "reference/scene/schema_validator.hpp"
+#include "reference/text/schema_validator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/nearest_name.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/nearest_name.hpp"
 
 namespace tps {
 namespace {

@@ -8,9 +8,9 @@
 #include <functional>
 
 #include "reference/run/run.hpp"
-#include "reference/scene/builders/terminal.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
+#include "verify/scenes/terminal.hpp"
 
 namespace tps {
 namespace {

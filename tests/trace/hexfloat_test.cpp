@@ -1,4 +1,4 @@
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 
 #include <gtest/gtest.h>
 

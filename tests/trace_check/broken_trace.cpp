@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "reference/scene/read_scene.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::mutation {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reference/scene/builders/gas.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/broken_trace.hpp"
 #include "tests/trace_check/paper_loop.hpp"
 #include "tests/trace_check/scenes.hpp"
+#include "verify/scenes/gas.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::mutation {

@@ -16,9 +16,9 @@
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
-#include "reference/scene/number_text.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::mutation {
 

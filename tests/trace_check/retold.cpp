@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::mutation {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/edits.hpp"
 #include "verify/certified/exact_timing.hpp"

@@ -6,11 +6,11 @@
 #include <limits>
 #include <map>
 
-#include "reference/scene/builders/gas.hpp"
-#include "reference/scene/builders/two_anchors.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
+#include "verify/scenes/gas.hpp"
+#include "verify/scenes/two_anchors.hpp"
 
 namespace tps::mutation {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reference/scene/read_scene.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/edits.hpp"
 #include "tests/trace_check/rows.hpp"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/certified/numbers.hpp"
 
 namespace tps::certified {

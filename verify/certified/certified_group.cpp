@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"

@@ -1,6 +1,6 @@
 #include "verify/certified/certified_response.hpp"
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
 

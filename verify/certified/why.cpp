@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "verify/eval/evaluate.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/double_word_filter.hpp"

@@ -1,10 +1,10 @@
 // Grouping conserves momentum, and loses no energy that (4) and (5) do not account for.
 #include <cmath>
 
-#include "reference/scene/builders/gas.hpp"
 #include "verify/claims/claim.hpp"
 #include "verify/claims/runs.hpp"
 #include "verify/claims/terminal_runs.hpp"
+#include "verify/scenes/gas.hpp"
 
 namespace tps::claims {
 namespace {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <vector>
 
-#include "reference/scene/builders/terminal.hpp"
 #include "verify/claims/claim.hpp"
 #include "verify/claims/runs.hpp"
 #include "verify/claims/terminal_runs.hpp"
+#include "verify/scenes/terminal.hpp"
 
 namespace tps::claims {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "reference/scene/builders/pair.hpp"
 #include "verify/claims/claim.hpp"
 #include "verify/claims/runs.hpp"
+#include "verify/scenes/pair.hpp"
 
 namespace tps::claims {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "reference/run/run.hpp"
-#include "reference/scene/builders/three_body.hpp"
+#include "verify/scenes/three_body.hpp"
 
 namespace tps::claims {
 

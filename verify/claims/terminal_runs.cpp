@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "reference/scene/builders/terminal.hpp"
+#include "verify/scenes/terminal.hpp"
 
 namespace tps::claims {
 

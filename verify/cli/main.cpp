@@ -1,22 +1,41 @@
 // The program: verbs over the libraries, exit codes, and nothing else.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "reference/process/descriptors.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/run/run.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/output.hpp"
 #include "reference/text/printable.hpp"
-#include "reference/trace/output.hpp"
 #include "reference/version.hpp"
+#include "verify/cli/not_built.hpp"
 #include "verify/cli/say.hpp"
+#include "verify/cli/verb_catalogue.hpp"
 #include "verify/cli/verbs.hpp"
+
+namespace tps::cli {
+namespace {
+
+bool has_dashes = false;
+
+}  // namespace
+
+bool command_line_has_dashes() {
+  return has_dashes;
+}
+
+}  // namespace tps::cli
 
 namespace {
 
@@ -58,23 +77,20 @@ int run(int argc, char** argv) {
   CLI::App app("Reference implementation and oracle of the tethered particle system.", "tps");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
-  app.footer(kFooter);
-  tps::cli::add_run(app, exit_code);
-  tps::cli::add_check(app, exit_code);
-  tps::cli::add_explain(app, exit_code);
-  tps::cli::add_scene(app, exit_code);
-  tps::cli::add_import(app, exit_code);
-  tps::cli::add_draw(app, exit_code);
-  tps::cli::add_claims(app, exit_code);
-  tps::cli::add_eval(app, exit_code);
-  tps::cli::add_vectors(app, exit_code);
-  tps::cli::add_serve(app, exit_code);
-  tps::cli::add_properties(app, exit_code, tps::cli::dashes_in(argc, argv));
+  const std::vector<std::string>& missing = tps::cli::missing_verbs();
+  app.footer(missing.empty() ? std::string(kFooter)
+                             : fmt::format("./run build adds {}.\n{}", fmt::join(missing, ", "), kFooter));
+  tps::cli::add_verbs(app, exit_code);
+  if (argc > 1 && std::count(missing.begin(), missing.end(), std::string_view(argv[1])) > 0) {
+    return report(tps::cli::NotBuilt(std::string("tps ") + argv[1]).what(), tps::cli::kUsage);
+  }
   try {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
     return answer_usage(app, error);
+  } catch (const tps::cli::NotBuilt& error) {
+    return report(error.what(), tps::cli::kUsage);
   } catch (const tps::interrupt::Interrupted&) {
     return report("interrupted", tps::cli::kInterrupted);
   } catch (const tps::InputError& error) {
@@ -97,6 +113,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   tps::interrupt::install("tps");
+  tps::cli::has_dashes =
+      std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--"; });
   const int exit_code = run(argc, argv);
   return tps::interrupt::requested() ? tps::cli::kInterrupted : exit_code;
 }

@@ -1,26 +1,12 @@
-// The verbs of the program. Each function registers one with its options; its callback sets the exit code.
+// What every verb shares: exit codes, and the command line that CLI11 does not tell.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace tps::cli {
 
-void add_run(CLI::App& app, int& exit_code);
-void add_check(CLI::App& app, int& exit_code);
-void add_explain(CLI::App& app, int& exit_code);
-void add_scene(CLI::App& app, int& exit_code);
-void add_import(CLI::App& app, int& exit_code);
-void add_draw(CLI::App& app, int& exit_code);
-void add_claims(CLI::App& app, int& exit_code);
-void add_eval(CLI::App& app, int& exit_code);
-void add_vectors(CLI::App& app, int& exit_code);
-void add_serve(CLI::App& app, int& exit_code);
-
-/// Whether "--" stands on the command line: CLI11 does not tell.
-enum class Dashes { none, there };
-Dashes dashes_in(int argc, const char* const* argv);
-
-void add_properties(CLI::App& app, int& exit_code, Dashes dashes);
+/// Whether "--" stands on the command line.
+bool command_line_has_dashes();
 
 /// What the program returns to the shell (--help lists the same).
 enum ExitCode : int {

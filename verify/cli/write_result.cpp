@@ -1,6 +1,6 @@
 #include "verify/cli/write_result.hpp"
 
-#include "reference/trace/output.hpp"
+#include "reference/text/output.hpp"
 
 namespace tps::cli {
 

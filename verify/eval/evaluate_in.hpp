@@ -16,8 +16,8 @@
 #include "reference/equations/eq6_load_velocity.hpp"
 #include "reference/equations/eq7_restitution_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
 
 namespace tps::eval {

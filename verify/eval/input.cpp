@@ -8,13 +8,13 @@
 #include <cmath>
 #include <optional>
 
-#include "reference/scene/file_kind.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
-#include "reference/scene/json_number.hpp"
-#include "reference/scene/nearest_name.hpp"
-#include "reference/scene/number_text.hpp"
-#include "reference/scene/text_file.hpp"
+#include "reference/text/file_kind.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/json_number.hpp"
+#include "reference/text/nearest_name.hpp"
+#include "reference/text/number_text.hpp"
+#include "reference/text/text_file.hpp"
 
 namespace tps::eval {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "reference/scene/check_starts.hpp"
-#include "reference/scene/json_pointer.hpp"
-#include "reference/scene/nearest_name.hpp"
 #include "reference/scene/scene_source.hpp"
-#include "reference/scene/schema_validator.hpp"
-#include "reference/scene/schema_words.hpp"
+#include "reference/text/json_pointer.hpp"
+#include "reference/text/nearest_name.hpp"
+#include "reference/text/schema_validator.hpp"
+#include "reference/text/schema_words.hpp"
 
 namespace tps::arslab {
 namespace {

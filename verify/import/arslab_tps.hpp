@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/scene/json_document.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/text/json_document.hpp"
 
 namespace tps::arslab {
 

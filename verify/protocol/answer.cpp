@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "reference/run/next_event.hpp"
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/certified/certified_next_event.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/exact_timing.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 #include "verify/protocol/read_input.hpp"
 
 namespace tps::protocol {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/scene/file_kind.hpp"
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
-#include "reference/scene/json_number.hpp"
-#include "reference/scene/text_file.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/file_kind.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/json_number.hpp"
+#include "reference/text/text_file.hpp"
 #include "verify/protocol/answer.hpp"
 
 namespace tps::protocol {

@@ -9,9 +9,9 @@
 #include <new>
 #include <optional>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/json_document.hpp"
-#include "reference/scene/nearest_name.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "reference/version.hpp"
 #include "verify/protocol/answer.hpp"
 #include "verify/protocol/json_text.hpp"

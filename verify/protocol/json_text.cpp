@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/plain_json.hpp"
-#include "reference/trace/hexfloat.hpp"
 
 namespace tps::protocol {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/scene/input_error.hpp"
-#include "reference/scene/nearest_name.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "verify/certified/next_event_input.hpp"
 
 namespace tps::protocol {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/scene/json_document.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/text/json_document.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/timing_input.hpp"
 #include "verify/eval/input.hpp"

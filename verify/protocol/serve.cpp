@@ -1,7 +1,7 @@
 #include "verify/protocol/serve.hpp"
 
+#include "reference/text/line_reader.hpp"
 #include "verify/protocol/conversation.hpp"
-#include "verify/protocol/line_reader.hpp"
 
 namespace tps::protocol {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "reference/trace/output.hpp"
+#include "reference/text/output.hpp"
 
 namespace tps::protocol {
 

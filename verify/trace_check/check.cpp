@@ -10,11 +10,11 @@
 
 #include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
-#include "reference/scene/file_kind.hpp"
-#include "reference/scene/json_document.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/file_kind.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/line_reader.hpp"
 #include "reference/version.hpp"
-#include "verify/protocol/line_reader.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 
 namespace tps::check {
@@ -158,11 +158,11 @@ Head read_head(std::string_view text, const std::string& file, const CheckOption
 }
 
 /// The first line and what follows it, as much as tells what a file is that begins like no trace.
-std::string beginning_of(const std::string& first, protocol::LineReader& reader) {
+std::string beginning_of(const std::string& first, LineReader& reader) {
   std::string beginning = first;
   while (beginning.size() < kBytesThatTell) {
-    const protocol::LineReader::Result next = reader.next();
-    if (next.status != protocol::LineReader::Status::line) break;
+    const LineReader::Result next = reader.next();
+    if (next.status != LineReader::Status::line) break;
     beginning.append("\n").append(next.text);
   }
   return beginning;
@@ -223,14 +223,12 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
   const Descriptor descriptor(path);
   bool interrupted = false;
   const auto stop = [&] { return options.interrupt != nullptr && options.interrupt->load(); };
-  protocol::LineReader reader(
+  LineReader reader(
       descriptor.number(), kLongestHeader, [] {}, stop);
-  const protocol::LineReader::Result first = reader.next();
-  if (first.status == protocol::LineReader::Status::end)
-    fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
-  if (first.status == protocol::LineReader::Status::too_long)
-    fail(file, 1, "is longer than 64 MiB; a header is not");
-  if (first.status == protocol::LineReader::Status::interrupted)
+  const LineReader::Result first = reader.next();
+  if (first.status == LineReader::Status::end) fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
+  if (first.status == LineReader::Status::too_long) fail(file, 1, "is longer than 64 MiB; a header is not");
+  if (first.status == LineReader::Status::interrupted)
     fail(file, 0, "the check was interrupted before the header");
   const std::string header(first.text);
   if (header.find("\"trace\"") == std::string::npos) {
@@ -260,10 +258,10 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
 
   std::uint64_t bytes = first.text.size();
   LineSource source{[&](LineSource::Text& line) {
-    const protocol::LineReader::Result next = reader.next();
-    interrupted = next.status == protocol::LineReader::Status::interrupted || stop();
-    if (interrupted || next.status == protocol::LineReader::Status::end) return false;
-    line = {next.text, next.status == protocol::LineReader::Status::too_long};
+    const LineReader::Result next = reader.next();
+    interrupted = next.status == LineReader::Status::interrupted || stop();
+    if (interrupted || next.status == LineReader::Status::end) return false;
+    line = {next.text, next.status == LineReader::Status::too_long};
     ++report.lines;
     bytes += next.text.size();
     constexpr std::uint64_t kLinesBetweenReports = 4096;

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <unordered_map>
 
-#include "reference/scene/nearest_name.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/text_number.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/trace_check/line_values.hpp"
 #include "verify/trace_check/read_line.hpp"
 

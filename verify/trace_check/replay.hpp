@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/report.hpp"

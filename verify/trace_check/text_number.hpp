@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "reference/scene/number_text.hpp"
-#include "reference/trace/hexfloat.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 #include "verify/trace_check/exact_sum.hpp"
 #include "verify/trace_check/number.hpp"
 

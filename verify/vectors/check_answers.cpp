@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps::vectors {
 namespace {

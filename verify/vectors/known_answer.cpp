@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reference/scene/number_text.hpp"
+#include "reference/text/number_text.hpp"
 #include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/protocol/read_input.hpp"

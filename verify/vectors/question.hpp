@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reference/scene/json_document.hpp"
+#include "reference/text/json_document.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::vectors {

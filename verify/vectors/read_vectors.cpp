@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "reference/scene/input_error.hpp"
+#include "reference/text/input_error.hpp"
 #include "reference/text/line_source.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"

@@ -3,7 +3,7 @@
 
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/run/run.hpp"
-#include "reference/scene/builders/registry.hpp"
+#include "verify/scenes/registry.hpp"
 
 int main() {
   using Vec = tps::Vector<double, 2>;

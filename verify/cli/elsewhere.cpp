@@ -1,0 +1,22 @@
+// For the program of the first build: what only the whole one can do.
+#include "reference/run/run_scalar.hpp"
+#include "verify/cli/not_built.hpp"
+#include "verify/trace_check/witness.hpp"
+
+namespace tps {
+
+RunSummary run_quad(const Scene&, const RunOptions&, const ResumePoint*) {
+  throw cli::NotBuilt("a run in quad");
+}
+RunSummary run_mp50(const Scene&, const RunOptions&, const ResumePoint*) {
+  throw cli::NotBuilt("a run in mp50");
+}
+RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
+  throw cli::NotBuilt("a run in mp100");
+}
+
+std::string check::witness_cases(const CheckReport&) {
+  throw cli::NotBuilt("--witness");
+}
+
+}  // namespace tps

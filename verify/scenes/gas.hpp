@@ -1,0 +1,30 @@
+// A hard-sphere gas in a spherical membrane.
+#pragma once
+
+#include <cstdint>
+
+#include "verify/scenes/builder.hpp"
+
+namespace tps {
+
+/// Spheres of diameter 1 and mass 1.
+struct GasParams {
+  int particles = 256;
+  double density = 0.3;
+  double temperature = 1;
+  double restitution = 1;
+  double grouped = 0;
+  double duration = 10;
+  std::uint64_t seed = 1;
+};
+
+/// Spheres on a face-centred cubic lattice that fills the membrane evenly, with Maxwell velocities without
+/// total momentum; the lattice melts within a few mean free times. `density` is the number of spheres over
+/// the volume of the membrane's ball, whose radius is the smallest multiple of 1/1024 with at most that
+/// density. The membrane is a particle of infinite mass and a permanent tether, elastic. Its retraction is
+/// specular while a sphere meets it at more than theta = 0.01° from the tangent. Throws std::invalid_argument
+/// when so many spheres do not fit at that density.
+Scene build_gas(const GasParams& params);
+SceneBuilder gas_builder();
+
+}  // namespace tps
