@@ -43,7 +43,8 @@ Scalar cross_norm(const Vector<Scalar, 2>& r, const Vector<Scalar, 2>& v) {
 
 template <typename Scalar>
 Scalar cross_norm(const Vector<Scalar, 3>& r, const Vector<Scalar, 3>& v) {
-  return norm<Scalar, 3>(Vector<Scalar, 3>(r.cross(v)));
+  return norm<Scalar, 3>(
+      Vector<Scalar, 3>(r[1] * v[2] - r[2] * v[1], r[2] * v[0] - r[0] * v[2], r[0] * v[1] - r[1] * v[0]));
 }
 
 /// D = a L² − |r × v|² where L is so far below |r| that L² vanishes beside |r|²: by its two factors, and
