@@ -13,7 +13,12 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:reference|verify|properties)/[^"]+
 
 
 def folder(path):
-    """"verify/exact" of "verify/exact/verdict.hpp"; the storey itself for a file that lies in it directly."""
+    """"verify/exact" of "verify/exact/verdict.hpp"; the storey itself for a file that lies in it directly.
+
+    A folder's verb stands above the folder: it may use all others, and nobody uses it.
+    """
+    if path.endswith("_verb.cpp"):
+        return path.split("/")[0] + "/verbs"
     parts = pathlib.PurePosixPath(path).parts
     return "/".join(parts[:-1][:3 if "benchmark" in parts else 2])
 
