@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kPatience(1);
-constexpr std::chrono::seconds kBetweenLines(5);
+constexpr std::chrono::seconds kBetweenNotices(5);
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void StartNotice::stop() {
 void StartNotice::watch() {
   const Clock::time_point start = Clock::now();
   std::unique_lock lock(mutex_);
-  for (Clock::time_point next = start + kPatience;; next += kBetweenLines) {
+  for (Clock::time_point next = start + kPatience;; next += kBetweenNotices) {
     if (changed_.wait_until(lock, next, [this] { return stopped_; })) return;
     const std::chrono::duration<double> passed = Clock::now() - start;
     say("starting: {} ({:.0f} s)\n", printable(what_), passed.count());
