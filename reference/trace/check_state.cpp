@@ -228,7 +228,8 @@ class StateCheck {
     static const std::set<std::string, std::less<>> kinds = {"rebound",     "retract",   "revolve",
                                                              "break",       "restitute", "scheduled_impulse",
                                                              "phase_begin", "phase_end"};
-    static const std::vector<std::string> counters = {"#noise", "#zero_impulse", "#largest_group"};
+    static const std::vector<std::string> counters = {"#noise", "#first_noise", "#zero_impulse",
+                                                      "#largest_group"};
     std::uint64_t events = 0;
     for (const auto& [name, count] : state_.counts) {
       const bool is_counter = std::find(counters.begin(), counters.end(), name) != counters.end();

@@ -38,7 +38,7 @@ Examples: tps eval block_time u_A=0,0 u_B=5,0 v_A=1,0 v_B=0,0 L=1
 
 constexpr const char* kWhyAnswers = "--why is for block_time, tether_time and order, in double";
 
-struct Arguments {
+struct EvalArguments {
   std::string op;
   std::vector<std::string> words;
   std::string in;
@@ -58,7 +58,7 @@ const eval::Operation& operation_named(const std::string& name) {
   return *operation;
 }
 
-void print_report(const Arguments& a, std::string_view what, std::string_view precision,
+void print_report(const EvalArguments& a, std::string_view what, std::string_view precision,
                   const eval::Report& report) {
   write_result("-", a.format == "json"
                         ? eval::report_json(a.op, precision, report)
@@ -66,7 +66,7 @@ void print_report(const Arguments& a, std::string_view what, std::string_view pr
 }
 
 /// The result has nested lists: in JSON as the protocol has it, as text a line for each value.
-void print_compound(const Arguments& a, const protocol::Compound& operation, const std::string& out) {
+void print_compound(const EvalArguments& a, const protocol::Compound& operation, const std::string& out) {
   if (a.format == "json") {
     write_result(
         "-", fmt::format("{{\"op\":\"{}\",\"scalar\":\"{}\",\"out\":{}}}\n", a.op, operation.precision, out));
@@ -76,7 +76,7 @@ void print_compound(const Arguments& a, const protocol::Compound& operation, con
 }
 
 /// order, group, next_event.
-void eval_compound(const Arguments& a, const protocol::Compound& operation) {
+void eval_compound(const EvalArguments& a, const protocol::Compound& operation) {
   if (a.scalar != "double") {
     throw CLI::ValidationError(
         fmt::format("{} takes no --scalar: its values are {}", a.op, operation.precision));
@@ -98,7 +98,7 @@ void eval_compound(const Arguments& a, const protocol::Compound& operation) {
   print_compound(a, operation, protocol::answer_file(operation, a.in));
 }
 
-void eval_equation(const Arguments& a, const eval::Operation& operation) {
+void eval_equation(const EvalArguments& a, const eval::Operation& operation) {
   const eval::Input input =
       a.in.empty() ? eval::read_words(operation, a.words) : eval::read_json(operation, a.in);
   if (a.why) {
@@ -116,7 +116,7 @@ void eval_equation(const Arguments& a, const eval::Operation& operation) {
 }  // namespace
 
 void add_eval(CLI::App& app, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<EvalArguments>();
   CLI::App* verb = app.add_subcommand("eval", "Evaluates one equation, with every intermediate value.");
   verb->add_option("op", a->op, "Operation, see below")->required();
   CLI::Option* words = verb->add_option("numbers", a->words, "key=value …, vectors as u_A=0,0 or u_A=0,0,0");
