@@ -4,6 +4,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "reference/text/input_error.hpp"
+
 namespace tps::properties::runs {
 
 const std::vector<RunLaw>& run_laws() {
@@ -31,6 +33,9 @@ RunVerdict judged(const RunLaw& law, const Scene& scene, Simulator& simulator, I
     const std::optional<std::string> fault = instead->fault_in(minimal.bytes);
     return fault ? RunVerdict::broken("a minimal trace, which the check judges instead of the law: " + *fault)
                  : RunVerdict{};
+  } catch (const InputError&) {
+    // A scene that the scalar does not hold is refused before it starts (N60): nothing is asked of it.
+    return RunVerdict::not_asked();
   }
 }
 

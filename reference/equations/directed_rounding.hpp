@@ -83,15 +83,26 @@ int largest_component(const Vector<Scalar, D>& x) {
   return k;
 }
 
+/// Whose component x of A, y of B is set anew, where the two are not opposite: the choice depends on no name
+/// and on no axis.
+template <typename Scalar>
+bool changes_A(const Scalar& m_A, const Scalar& m_B, const Scalar& x, const Scalar& y, bool B_goes_up) {
+  using std::abs;
+  if (m_A != m_B) return m_A < m_B;
+  if (abs(x) != abs(y)) return abs(x) > abs(y);
+  return (x > Scalar(0)) == B_goes_up;  // x = y: A, which goes the other way than B, is slowed by that
+}
+
 }  // namespace detail
 
 /// Velocities of a pair after its response, with v_n' of the right sign in real arithmetic.
 ///
 /// Where rounding (or an impulse too small for a mass) has left the wrong sign, one component of one
 /// velocity is set anew: of the lighter body, since its change carries the least momentum; of equal masses of
-/// the one that is faster along that component, which slows it; the component is that of the largest
-/// |u_B − u_A|. The value that makes v_n' = 0 is a quotient of exact sums, rounded once, outwards. Together
-/// with the rest of the velocities no number nearer to it has the right sign.
+/// the one that is faster along that component, or as fast and slowed by it; the component is that of the
+/// largest |u_B − u_A|. Equal masses that move oppositely along it are set anew both, and stay opposite: so
+/// names and mirrors change nothing. The value that makes v_n' = 0 is a quotient of exact sums, rounded once,
+/// outwards. Together with the rest of the velocities no number nearer to it has the right sign.
 ///
 /// After a pull v_n' = 0 will do only for a pair at rest: across the axis it would leave at once, so that
 /// there one number further is taken.
@@ -100,9 +111,10 @@ int largest_component(const Vector<Scalar, D>& x) {
 /// u_A ≠ u_B.
 /// Laws: (1) afterwards the exact v_n' is ≥ 0 (`apart`), < 0 or the pair at rest (`together`);
 /// (2) velocities that have the right sign are kept bitwise; (3) an infinite mass, and the heavier one,
-/// keeps its velocity; (4) at most one component changes, by at most √D |v_n| of before, and one rounding;
-/// (5) applied twice it is as applied once; (6) lengths times 2^k change nothing, velocities times 2^k
-/// multiply by 2^k, bitwise. Not finite numbers are handed back as they are.
+/// keeps its velocity; (4) at most one component changes, of both bodies only where they are equally heavy
+/// and opposite in it, by at most √D |v_n| of before, and one rounding; (5) applied twice it is as applied
+/// once; (6) lengths times 2^k change nothing, velocities times 2^k multiply by 2^k, bitwise. Not finite
+/// numbers are handed back as they are.
 template <typename Scalar, int D>
 PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                    const std::type_identity_t<Scalar>& m_A,
@@ -113,16 +125,30 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
   if (!finite(u_A) || !finite(u_B) || !finite(v.v_A) || !finite(v.v_B)) return v;
   if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
   const int k = detail::largest_component<Scalar, D>(u_B - u_A);
-  const bool changes_A = m_A == m_B ? abs(v.v_A[k]) >= abs(v.v_B[k]) : m_A < m_B;
-  Scalar& changed = changes_A ? v.v_A[k] : v.v_B[k];
-  const Scalar other = changes_A ? v.v_B[k] : v.v_A[k];
-
-  // r_k (y − x) + rest = 0: x of A is (r_k y + rest)/r_k, y of B is (r_k x − rest)/r_k.
   const Scalar &a = u_A[k], &b = u_B[k];
   const Dyadic r_k = dyadic(b) - dyadic(a);
   const Dyadic rest = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, k);
-  const Dyadic numerator = r_k * dyadic(other) + (changes_A ? rest : -rest);
   const bool B_goes_up = (r_k.sign() > 0) == (leaving == Leaving::apart);
+
+  // r_k (y − x) + rest = 0, x and y the components of A and B.
+  if (m_A == m_B && v.v_A[k] == -v.v_B[k]) {
+    const Rounding outwards = B_goes_up ? Rounding::up : Rounding::down;
+    Scalar y = rounded_quotient<Scalar>(-rest, r_k + r_k, outwards);
+    const auto both = [&] {
+      v.v_A[k] = -y;
+      v.v_B[k] = y;
+    };
+    both();
+    if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
+    y = next_number(y, outwards);
+    both();
+    return v;
+  }
+  const bool changes_A = detail::changes_A<Scalar>(m_A, m_B, v.v_A[k], v.v_B[k], B_goes_up);
+  Scalar& changed = changes_A ? v.v_A[k] : v.v_B[k];
+  const Scalar other = changes_A ? v.v_B[k] : v.v_A[k];
+  // x is (r_k y + rest)/r_k, y is (r_k x − rest)/r_k.
+  const Dyadic numerator = r_k * dyadic(other) + (changes_A ? rest : -rest);
   const Rounding outwards = B_goes_up != changes_A ? Rounding::up : Rounding::down;
   changed = rounded_quotient<Scalar>(numerator, r_k, outwards);
   if (!detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) changed = next_number(changed, outwards);

@@ -1,4 +1,4 @@
-// Exact sums and products of stored numbers: integers times powers of two.
+// Exact sums and products of stored numbers: integers times powers of two. docs/engine.md.
 #pragma once
 
 #include <algorithm>

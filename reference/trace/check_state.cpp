@@ -18,8 +18,8 @@ namespace {
 
 class StateCheck {
  public:
-  StateCheck(const Scene& scene, const StateData& state, int digits)
-      : scene_(scene), state_(state), digits_(digits) {
+  StateCheck(const Scene& scene, const StateData& state, int digits, StateOf whose)
+      : scene_(scene), state_(state), digits_(digits), whose_(whose) {
     for (std::size_t n = 0; n < scene.particles.size(); ++n)
       index_of_.emplace(scene.particles[n].id, static_cast<int>(n));
     for (const PairLaw& law : scene.pairs) laws_[{law.species_a, law.species_b}] = &law;
@@ -237,8 +237,10 @@ class StateCheck {
       demand(count <= state_.k || name == "#largest_group", "/counts/" + name, "is more than all events");
       if (!is_counter && count <= state_.k) events += count;
     }
-    for (const std::string& name : counters)
-      demand(state_.counts.contains(name), "/counts", fmt::format("lacks \"{}\"", name));
+    if (whose_ == StateOf::our_run) {
+      for (const std::string& name : counters)
+        demand(state_.counts.contains(name), "/counts", fmt::format("lacks \"{}\"", name));
+    }
     demand(events == state_.k, "/counts",
            fmt::format("adds up to {} events; there were {}", events, state_.k));
     const auto largest = state_.counts.find("#largest_group");
@@ -268,6 +270,7 @@ class StateCheck {
       demand(known == sizes.end() || known->second == numbers.size(), "/quantities/" + name,
              fmt::format("has {} numbers", numbers.size()));
     }
+    if (whose_ == StateOf::any_program) return;
     for (const auto& [name, ignored] : sizes)
       demand(state_.quantities.contains(name), "/quantities", fmt::format("lacks \"{}\"", name));
   }
@@ -283,6 +286,7 @@ class StateCheck {
   const Scene& scene_;
   const StateData& state_;
   int digits_;
+  StateOf whose_;
   std::unordered_map<std::int32_t, int> index_of_;
   std::map<std::pair<int, int>, const PairLaw*> laws_;
   std::unordered_map<std::int32_t, const StateData::Particle*> particles_;
@@ -291,8 +295,9 @@ class StateCheck {
 
 }  // namespace
 
-std::vector<StateProblem> state_problems(const Scene& scene, const StateData& state, int digits) {
-  return StateCheck(scene, state, digits).run();
+std::vector<StateProblem> state_problems(const Scene& scene, const StateData& state, int digits,
+                                         StateOf whose) {
+  return StateCheck(scene, state, digits, whose).run();
 }
 
 }  // namespace tps

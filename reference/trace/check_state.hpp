@@ -15,6 +15,9 @@ struct StateProblem {
   std::string message;
 };
 
+/// Our runs go on from their states, summary included; another program's may lack what only that counts.
+enum class StateOf { our_run, any_program };
+
 /// What is wrong with a full state, the first `kMostStateProblems` of it; `digits` are the bits of the
 /// scalar. It is judged by itself: whether it is the state that the events lead to is for the trace check.
 /// Resuming and the trace check both refuse by this.
@@ -27,7 +30,8 @@ struct StateProblem {
 ///     of the scalar; it was born before now and expires no earlier than now. (6) Draws are of pairs with a
 ///     tethering; progress is no further than the scene has phases and impulses; the counts of events by kind
 ///     add up to the number of events; quantities are those of the ledger.
-std::vector<StateProblem> state_problems(const Scene& scene, const StateData& state, int digits);
+std::vector<StateProblem> state_problems(const Scene& scene, const StateData& state, int digits,
+                                         StateOf whose = StateOf::our_run);
 
 inline constexpr std::size_t kMostStateProblems = 20;
 

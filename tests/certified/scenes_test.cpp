@@ -142,7 +142,7 @@ TEST(CertifiedProgram, AHeaderWithATimingThatCannotBeIsBadInput) {
   };
   const Outcome unknown = with("\"stable\"", "\"exact\"");
   EXPECT_EQ(unknown.code, 3);
-  EXPECT_NE(unknown.err.find("'exact'"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("\"exact\""), std::string::npos) << unknown.err;
   EXPECT_EQ(with("\"stable\"", "7").code, 3);
   EXPECT_EQ(with("\"timing\":\"stable\",", "").code, 0) << "a trace from before says nothing: stable";
   const Outcome wide =

@@ -53,6 +53,8 @@ CheckReport checked_with(ShiftedTiming::Shift shift) {
   std::string bytes = testing::traced(long_gas(), options).bytes;
   const std::string name = R"("timing":"certified")";
   bytes.replace(bytes.find(name), name.size(), R"("timing":"stable")");
+  const std::size_t checksum = bytes.find(",\"checksum\"");  // an edited header leaves it out
+  bytes.erase(checksum, bytes.find('}', checksum) - checksum);
   const std::string path = testing::scratch("shifted.ndjson");
   testing::write_bytes(path, bytes);
   return check::check_trace(path);

@@ -85,7 +85,8 @@ class StateJudge {
              "the checksum of the full state is not that of its content: it was damaged or edited (an edited "
              "one may leave the checksum out)");
     }
-    for (const StateProblem& problem : state_problems(model_.scene, s, model_.precision.digits))
+    for (const StateProblem& problem :
+         state_problems(model_.scene, s, model_.precision.digits, StateOf::any_program))
       expect(false, fmt::format("{} {}", problem.pointer, problem.message));
   }
 
