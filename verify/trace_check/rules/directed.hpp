@@ -15,11 +15,13 @@ struct DirectedSlack {
 
 /// Where v_n' as it should be is right by more than its rounding, nothing is moved. Else one component of the
 /// lighter body goes as far as v_n' is wrong, by √D of that at most as it is the one along which û is
-/// largest, and two numbers further. `v_after` is v_AB', `stored` what its stored components may be off by.
+/// largest, and two numbers further. `v_after` is v_AB', `stored` what its stored components may be off by;
+/// where v_n' is wrong by more than `most_wrong` no rounding made it so, and nothing may be moved.
 template <typename Number>
 DirectedSlack<Work<Number>> directed_slack(const Context<Number>& c, const BodiesNow<Number>& b, bool outer,
                                            const Vec<Work<Number>>& v_after, const Work<Number>& stored,
-                                           const Work<Number>& largest_after) {
+                                           const Work<Number>& largest_after,
+                                           const Work<Number>& most_wrong) {
   using W = Work<Number>;
   using std::sqrt;
   constexpr int kDirected = 2;
@@ -27,7 +29,7 @@ DirectedSlack<Work<Number>> directed_slack(const Context<Number>& c, const Bodie
   const W root = sqrt(W(c.model.scene.dimension));
   const W v_n = dot(v_after, b.axis());
   const W wrong = (outer ? v_n : W(-v_n)) + root * stored;
-  if (wrong < W(0)) return {};
+  if (wrong < W(0) || (outer ? v_n : W(-v_n)) > most_wrong) return {};
   const W slack = root * wrong + W(4) * c.u() * largest_after;
   const W rounded = W(1) - W(2 + b.loads) * c.u();  // masses of bodies are
   DirectedSlack<W> result;
