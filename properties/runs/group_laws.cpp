@@ -32,8 +32,21 @@ std::optional<std::string> unites_wrongly(const Replay& before, const TracedEven
   return std::nullopt;
 }
 
+/// By how much directed rounding may change a velocity at a restitution (docs/engine.md): √D times what v_n'
+/// may be wrong by, 54 u of the speeds then and before the load, and the turn of the axis.
+Real directed_change(const TracedEvent& event, const LoadedNode& node, Real u, int dimension) {
+  Real coordinates = 0, speeds = node.speeds;
+  for (const auto& [id, state] : event.post) {
+    coordinates = std::max(coordinates, state.position.norm());
+    speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
+  }
+  const Real distance = (event.post.at(*event.i).position - event.post.at(*event.j).position).norm();
+  return std::sqrt(Real(dimension)) * u * kSpare * speeds * (54 + 4 * coordinates / distance);
+}
+
 /// A restitution parts the root of its group, by the impulse kept at the load and eq. (3).
-std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent& event, Real u,
+                                         int dimension) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   const LoadedNode* node = before.node(i, j);
   if (node == nullptr) return "a restitution of a pair that is not loaded";
@@ -47,8 +60,10 @@ std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent
     if (before.is_fixed(p)) continue;
     const Point v = event.pre.at(before.id_of(p)).velocity, w = event.post.at(before.id_of(p)).velocity;
     const Point expected = v + sign * node->dp / node->mass_of(p);
-    if (auto fault = beyond("velocity of " + std::to_string(before.id_of(p)) + " after the restitution",
-                            (w - expected).norm(), 4 * u * kSpare * (v.norm() + w.norm())))
+    if (auto fault =
+            beyond("velocity of " + std::to_string(before.id_of(p)) + " after the restitution",
+                   (w - expected).norm(),
+                   4 * u * kSpare * (v.norm() + w.norm()) + directed_change(event, *node, u, dimension)))
       return fault;
   }
   return std::nullopt;
@@ -81,7 +96,7 @@ RunVerdict unwinds(const Scene& scene, Simulator& simulator) {
         if (event.is_load()) return unites_wrongly(before, event);
         if (event.is_collision() && !event.dp->isZero(0)) return "a collision with an impulse loads nothing";
         if (event.kind != "restitute") return std::nullopt;
-        if (auto fault = parts_wrongly(before, event, u)) return fault;
+        if (auto fault = parts_wrongly(before, event, u, scene.dimension)) return fault;
         const int i = before.index_of(*event.i), j = before.index_of(*event.j);
         const LoadedBody* body = before.body(before.is_fixed(i) ? j : i);
         return beyond("a group is given back early, by", dt - elapsed(body->last_load, event.t), late);
@@ -121,7 +136,8 @@ std::map<int, Point> unwound_from_below(const Replay& replay, const LoadedBody& 
 
 struct Unwinding {
   std::map<int, Point> expected;
-  Real speeds = 0;  ///< of i and j before and after each node; each adds 2 u of them
+  Real speeds = 0;    ///< of i and j before and after each node; each adds 2 u of them
+  Real directed = 0;  ///< what directed rounding may have changed
 };
 
 bool is_over(const Replay& after, const Unwinding& unwinding) {
@@ -133,7 +149,8 @@ std::optional<std::string> unwound_elsewhere(const Replay& after, const Unwindin
   for (const auto& [p, velocity] : unwinding.expected) {
     if (auto fault =
             beyond("velocity of " + std::to_string(after.id_of(p)) + " beside the sum of its nodes' impulses",
-                   (after.flight(p).velocity - velocity).norm(), 4 * u * kSpare * unwinding.speeds))
+                   (after.flight(p).velocity - velocity).norm(),
+                   4 * u * kSpare * unwinding.speeds + unwinding.directed))
       return fault;
   }
   return std::nullopt;
@@ -149,7 +166,10 @@ RunVerdict order_is_irrelevant(const Scene& scene, Simulator& simulator) {
         const int i = before.index_of(*event.i), j = before.index_of(*event.j);
         const LoadedBody* body = before.body(before.is_fixed(i) ? j : i);
         if (body == nullptr) return "a restitution of particles that are not loaded";
-        if (!open) open = Unwinding{unwound_from_below(before, *body), 0};
+        if (!open) open = Unwinding{unwound_from_below(before, *body), 0, 0};
+        const LoadedNode* node = before.node(i, j);
+        if (node == nullptr) return "a restitution of a pair that is not loaded";
+        open->directed += directed_change(event, *node, u, scene.dimension);
         for (const auto& [id, state] : event.post)
           open->speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
         Replay after = before;

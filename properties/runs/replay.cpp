@@ -148,7 +148,8 @@ void Replay::load(const TracedEvent& event, int i, int j) {
                         particles_of(j),
                         body_mass(i),
                         body_mass(j),
-                        event.dp_stored.value_or(Point::Zero())};
+                        event.dp_stored.value_or(Point::Zero()),
+                        event.pre.at(id_of(i)).velocity.norm() + event.pre.at(id_of(j)).velocity.norm()};
   for (const int side : {i, j}) {
     if (is_fixed(side)) united.ground = side;
     const LoadedBody* old = body(side);

@@ -25,7 +25,8 @@ struct LoadedNode {
   int i, j;
   std::set<int> side_i, side_j;  ///< particles of the two bodies; empty for an infinite mass
   Real mass_i, mass_j;
-  Point dp;  ///< Δp_AB of eq. (7) on the body of i
+  Point dp;         ///< Δp_AB of eq. (7) on the body of i
+  Real speeds = 0;  ///< of i and j before the load
 
   std::set<int> particles() const;
   Real mass_of(int particle) const { return side_i.contains(particle) ? mass_i : mass_j; }

@@ -10,8 +10,9 @@ namespace tps::cli {
 class NotBuilt : public std::runtime_error {
  public:
   explicit NotBuilt(const std::string& what)
-      : std::runtime_error(what + " needs the whole program, and only what the first result needs has been built; "
-                                  "./run build builds the rest") {}
+      : std::runtime_error(what +
+                           " needs the whole program, and only what the first result needs has been built; "
+                           "./run build builds the rest") {}
 };
 
 }  // namespace tps::cli

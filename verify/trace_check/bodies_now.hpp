@@ -14,9 +14,10 @@ struct BodiesNow {
   Vec<W> r;            ///< from i to j at the event
   Vec<W> v_i, v_j, v;  ///< before; v = v_j − v_i
   W inverse_i, inverse_j;
-  W mu;           ///< reduced mass
-  W blur{0};      ///< how far r may be off
-  int loads = 0;  ///< of the two bodies: their masses were rounded so often
+  W mu;                 ///< reduced mass
+  W blur{0};            ///< how far r may be off
+  W speeds_at_load{0};  ///< of the two bodies when they were loaded, where a restitution parts them
+  int loads = 0;        ///< of the two bodies: their masses were rounded so often
 
   W distance() const { return length(r); }
   Vec<W> axis() const { return W(W(1) / length(r)) * r; }

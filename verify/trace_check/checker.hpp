@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "verify/trace_check/below_rounding.hpp"
 #include "verify/trace_check/neighbours.hpp"
 #include "verify/trace_check/paths.hpp"
 #include "verify/trace_check/rules/bystanders.hpp"
@@ -85,6 +86,7 @@ class Checker {
   std::vector<std::map<int, Told>> told_;
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
+  BelowRounding below_rounding_;
   bool ended_ = false;
 };
 

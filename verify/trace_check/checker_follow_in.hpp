@@ -38,6 +38,7 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   node->outer = event.kind != Kind::rebound;
   node->members = {model_.members(event.i), model_.members(event.j)};
   node->inverse_mass = {bodies_->inverse_i, bodies_->inverse_j};
+  node->speeds = largest(bodies_->v_i) + largest(bodies_->v_j);
   node->recorded = event.dp_stored.has_value();
   if (event.dp_stored) node->dp = *event.dp_stored;
   const Vec<W> added = bodies_->mu * bodies_->v;

@@ -114,6 +114,7 @@ std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const
 template <typename Number>
 void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<Number>& event) {
   judge_contact(c, event);
+  if (event.kind == Kind::rebound) below_rounding_.look(c, event, *bodies_);
   judge_approach(c, event, *bodies_);
   expected_ = expected_of(c, event, *bodies_);
   if (event.kind == Kind::retract || event.kind == Kind::revolve) judge_kind(c, event, *bodies_);
@@ -200,6 +201,7 @@ void Checker<Number>::take(const StateLine<Number>& state) {
 
 template <typename Number>
 void Checker<Number>::close() {
+  if (const std::optional<std::string> note = below_rounding_.note()) tally_.note(*note);
   tally_.demand(Rule::end, ended_, [](Finding& f) {
     f.message =
         "the trace has no end: the run was killed, or could not write; everything up to here was judged";

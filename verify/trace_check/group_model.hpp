@@ -20,6 +20,7 @@ struct LoadNode {
   bool outer;
   std::array<std::vector<int>, 2> members;   ///< of the sides; empty for an infinite mass
   std::array<Work<Number>, 2> inverse_mass;  ///< of the two bodies
+  Work<Number> speeds{0};                    ///< of the two bodies before the load
   Vec<Number> dp;                            ///< Δp_AB on side 0, eq. (7), as recorded
   Vec<Work<Number>> dp_exact;                ///< the same where nothing is recorded
   Work<Number> dp_error{0};                  ///< of that

@@ -72,6 +72,8 @@ class Tally {
     add(rule, Outcome::undecided, {}, describe);
   }
 
+  /// Something to know about the trace as a whole.
+  void note(std::string text) { report_.notes.push_back(std::move(text)); }
   void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
 
   /// A step that the rule cannot judge, since its margin is larger than what it judges. Said once, with the

@@ -193,6 +193,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   sides.inverse_j = node.inverse_mass[1];
   sides.mu = W(1) / (sides.inverse_i + sides.inverse_j);
   sides.loads = body->loads + 1;
+  sides.speeds_at_load = node.speeds;
   judge_parted(c, event, sides, node.outer, dp, node.dp_error, sides.loads);
   judge_direction(c, event, node.outer);
   judge_parting_conservation(c, event, sides, node);

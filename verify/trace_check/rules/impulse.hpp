@@ -159,7 +159,7 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
   // By how much rounding can turn v_n' (docs/engine.md): what is wrong by more was not rounding.
   const auto coordinates = [&](int n) { return largest(c.model.position(n, event.t)); };
   const W turn = (W(4) * c.u() * std::max(coordinates(b.i), coordinates(b.j)) + b.blur) / b.distance();
-  const W speeds = W(2) * (largest(b.v_i) + largest(b.v_j) + after_i + after_j);
+  const W speeds = W(2) * (largest(b.v_i) + largest(b.v_j) + after_i + after_j + b.speeds_at_load);
   const W roundings = W(54 + 4 * loads) * c.u() + turn;
   return directed_slack(c, b, outer, b.v - inverse * dp, stored, W(after_i + after_j), W(roundings * speeds));
 }
