@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 
 namespace tps::properties {
@@ -116,7 +117,7 @@ std::string list_json(const std::vector<const Law*>& laws) {
     list.push_back(law_json(law->text));
     list.back()["operations"] = law->operations;
   }
-  return list.dump(1) + "\n";
+  return json_text(list, 1) + "\n";
 }
 
 std::string finding_text(const Finding& finding, const Plan& plan) {
@@ -142,12 +143,12 @@ std::string replay_json(const Replay& replay) {
     findings.push_back(law_json(finding.law->text));
     findings.back()["finding"] = finding_json(finding);
   }
-  return Json{{"subject", replay.subject},
-              {"held", replay.held},
-              {"broken", replay.findings.size()},
-              {"not_asked", replay.not_asked},
-              {"findings", findings}}
-             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+  return json_text(Json{{"subject", replay.subject},
+                        {"held", replay.held},
+                        {"broken", replay.findings.size()},
+                        {"not_asked", replay.not_asked},
+                        {"findings", findings}},
+                   1) +
          "\n";
 }
 
@@ -193,10 +194,13 @@ std::string exploration_json(const Exploration& exploration) {
     if (report.finding) one["finding"] = finding_json(*report.finding);
     reports.push_back(one);
   }
-  return Json{{"subject", exploration.subject},          {"seed", exploration.plan.seed},
-              {"first", exploration.plan.first},         {"next", exploration.next},
-              {"hazards", counted_hazards(exploration)}, {"laws", reports}}
-             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+  return json_text(Json{{"subject", exploration.subject},
+                        {"seed", exploration.plan.seed},
+                        {"first", exploration.plan.first},
+                        {"next", exploration.next},
+                        {"hazards", counted_hazards(exploration)},
+                        {"laws", reports}},
+                   1) +
          "\n";
 }
 

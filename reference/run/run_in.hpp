@@ -220,115 +220,11 @@ class RecordedRun {
   std::string out_of_range_;
 };
 
-template <typename Scalar, int D>
-RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar>& end,
-                                             double seconds) const {
-  RunSummary s;
-  s.title = scene_.title;
-  s.scalar = scalar_names()[static_cast<std::size_t>(options_.scalar)];
-  s.end = name(reason);
-  s.t = static_cast<double>(end.hi);
-  s.exact_t = exact_time(scene_.start_time, end);
-  s.particles = world().particles.size();
-  s.events = world().events;
-  s.events_here = world().events - first_event_;
-  s.by_kind = {world().statistics.by_kind.begin(), world().statistics.by_kind.end()};
-  s.seconds = seconds;
-  if (options_.timing == Timing::certified) s.certified = options_.certifier->counters();
-  summarise_conservation(s);
-  s.worst_inner_excess = static_cast<double>(world().statistics.worst_inner_excess);
-  s.worst_outer_excess = static_cast<double>(world().statistics.worst_outer_excess);
-  const BoundExcess<Scalar> audit = audit_bounds(world(), end);
-  s.audit_inner_excess = static_cast<double>(audit.inner);
-  s.audit_outer_excess = static_cast<double>(audit.outer);
-  s.observes_clusters = scene_.clusters.has_value();
-  if (scene_.clusters) s.cluster_species = scene_.species[world().index(scene_.clusters->species)].name;
-  s.clusters = samples_;
-  if (scene_.clusters && (samples_.empty() || samples_.back().t < s.t)) {
-    s.clusters.push_back(sample_clusters(world(), ClusterMoment{s.t, false, "end", {}}));
-  }
-  summarise_groups(s, end);
-  s.noise = world().statistics.noise;
-  s.first_noise = world().statistics.first_noise;
-  s.zero_impulse = world().statistics.zero_impulse;
-  if (s.particles <= RunSummary::kFewParticles) s.final_states = final_states(end);
-  s.out_of_range = out_of_range_;
-  if (reason == EndReason::stalled) s.stalled_on = stalled_particles();
-  return s;
-}
+}  // namespace tps
 
-template <typename Scalar, int D>
-void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
-  using std::sqrt;
-  const Ledger<Scalar, D>& ledger = world().ledger;
-  Vector<Scalar, D> drift = momentum(world()) - ledger.momentum_at_start;
-  for (int k = 0; k < D; ++k) {
-    const std::size_t n = static_cast<std::size_t>(k);
-    drift[k] -= ledger.from_walls[n].value() + ledger.from_outside[n].value();
-  }
-  s.momentum_drift = static_cast<double>(Scalar(sqrt(drift.squaredNorm())));
-  s.momentum_bound = static_cast<double>(ledger.momentum_bound);
-  const Scalar kinetic = kinetic_energy(world());
-  const Scalar gained = kinetic - ledger.kinetic_at_start;
-  const Scalar remainder = gained + ledger.stored.value() + ledger.lost.value() - ledger.work.value();
-  s.kinetic_at_start = static_cast<double>(ledger.kinetic_at_start);
-  s.kinetic = static_cast<double>(kinetic);
-  s.stored = static_cast<double>(ledger.stored.value());
-  s.lost = static_cast<double>(ledger.lost.value());
-  s.work = static_cast<double>(ledger.work.value());
-  s.energy_remainder = static_cast<double>(remainder);
-  s.energy_bound = static_cast<double>(ledger.energy_bound);
-}
+#include "reference/run/recorded_run_summary.hpp"
 
-template <typename Scalar, int D>
-void RecordedRun<Scalar, D>::summarise_groups(RunSummary& s, const Time<Scalar>& end) const {
-  const auto* groups = dynamic_cast<const GroupCoupling<Scalar, D>*>(world().coupling.get());
-  if (groups == nullptr) return;
-  s.grouping = true;
-  s.dt_restitute = scene_.grouping->dt_restitute;
-  s.largest_group = world().statistics.largest_group;
-  Scalar oldest = world().statistics.oldest_group;
-  for (const GroupBody<Scalar, D>* body : groups->forest().bodies()) {
-    oldest = std::max(oldest, elapsed(body->birth, end));
-    ++s.live_groups;
-  }
-  s.oldest_group = static_cast<double>(oldest);
-}
-
-template <typename Scalar, int D>
-std::vector<RunSummary::Final> RecordedRun<Scalar, D>::final_states(const Time<Scalar>& end) const {
-  const auto decimal = [](const Scalar& x) {
-    std::ostringstream text;
-    text.precision(std::numeric_limits<Scalar>::digits10);
-    text << x;
-    return text.str();
-  };
-  std::vector<RunSummary::Final> states;
-  for (int i = 0; i < world().size(); ++i) {
-    const Vector<Scalar, D> position = world().position(i, end);
-    RunSummary::Final state{scene_.particles[world().index(i)].id,
-                            scene_.species[world().index(world().species(i))].name,
-                            {},
-                            {}};
-    for (int k = 0; k < D; ++k) {
-      state.position.push_back(decimal(position[k]));
-      state.velocity.push_back(decimal(world().velocity(i)[k]));
-    }
-    states.push_back(state);
-  }
-  return states;
-}
-
-template <typename Scalar, int D>
-std::vector<std::string> RecordedRun<Scalar, D>::stalled_particles() const {
-  std::vector<std::string> names;
-  for (const int i : std::set<int>(last_involved_.begin(), last_involved_.end())) {
-    if (i < 0) continue;
-    names.push_back(std::to_string(scene_.particles[world().index(i)].id) + " (" +
-                    scene_.species[world().index(world().species(i))].name + ")");
-  }
-  return names;
-}
+namespace tps {
 
 /// Before a run starts: what its scene holds, in the scalar of the run. A start from which a number leaves
 /// the range at once is as little a start as one that holds such a number.
