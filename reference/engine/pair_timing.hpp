@@ -11,6 +11,7 @@
 
 #include "reference/engine/clock.hpp"
 #include "reference/engine/timing.hpp"
+#include "reference/equations/directed_rounding.hpp"
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq2_paper_time.hpp"
 #include "reference/equations/vector.hpp"
@@ -61,7 +62,10 @@ class PairTiming {
     const CollisionTime<Scalar> answer = answered(pair, question);
     if (!question.has_responded) return answer.t;
     if (answer.verdict == TimingVerdict::turning) return Scalar(2) * *answer.t;
-    return answer.verdict == TimingVerdict::hit ? answer.t : std::nullopt;
+    if (answer.verdict == TimingVerdict::hit) return answer.t;
+    if (question.kind == TimingKind::block || answer.verdict == TimingVerdict::static_pair)
+      return std::nullopt;
+    return pulled_again(pair);
   }
 
   /// The moment that next() rounds. REQUIRES certified().
@@ -86,6 +90,16 @@ class PairTiming {
   }
 
  private:
+  /// When a pair that was pulled, and that rounded coefficients have at or beyond its limit and separating,
+  /// is pulled again. Directed rounding made its exact h negative, however small: it comes back at −2h/a.
+  /// Where h ≥ 0 a stored position has been rounded since (another tether of the particle broke): at once.
+  static Scalar pulled_again(const View& pair) {
+    if (normal_sign<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j) >= 0) return Scalar(0);
+    const Dyadic h = detail::exact_dot<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, -1);
+    const Dyadic a = detail::exact_dot<Scalar, D>(pair.v_i, pair.v_j, pair.v_i, pair.v_j, -1);
+    return rounded_quotient<Scalar>(-(h + h), a, Rounding::up);
+  }
+
   CollisionTime<Scalar> answered(const View& pair, const Question& question) const {
     const bool block = question.kind == TimingKind::block;
     if constexpr (certifiable<Scalar>) {

@@ -131,10 +131,9 @@ void forget() {
   last_act = nullptr;
   in_good_order = 0;
   signalled = false;
-  for (const int number : kSignals) ::signal(number, SIG_DFL);
-  ::signal(SIGALRM, SIG_DFL);
-  ::signal(SIGPIPE, SIG_DFL);
-  ::signal(SIGXFSZ, SIG_DFL);
+  // All of them: a guard ignores more than a program handles, and what is ignored stays so in what it
+  // executes.
+  for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -1,6 +1,7 @@
 #include "reference/run/next_event.hpp"
 
 #include "reference/engine/simulation.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps {
 namespace {
@@ -33,7 +34,12 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
 }  // namespace
 
 NextEvent next_event(const Scene& scene, const TimingChoice& timing) {
-  return scene.dimension == 2 ? next_event_in<2>(scene, timing) : next_event_in<3>(scene, timing);
+  try {
+    return scene.dimension == 2 ? next_event_in<2>(scene, timing) : next_event_in<3>(scene, timing);
+  } catch (const OutOfRange& problem) {
+    throw InputError(
+        {{"scene", 0, "", std::string(problem.what()) + " leaves the range of double; choose other units"}});
+  }
 }
 
 }  // namespace tps

@@ -25,7 +25,7 @@ struct NextEvent {
 };
 
 /// Simulates one event, in double. The scene's duration does not matter: it limits runs.
-/// Throws OutOfRange (reference/engine/range.hpp) where a number of it leaves the range of a double.
+/// Throws InputError where a number of it leaves the range of a double.
 NextEvent next_event(const Scene& scene, const TimingChoice& timing = {});
 
 }  // namespace tps

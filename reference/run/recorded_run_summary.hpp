@@ -50,7 +50,6 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
     drift[k] -= ledger.from_walls[n].value() + ledger.from_outside[n].value();
   }
   s.momentum_drift = static_cast<double>(Scalar(sqrt(drift.squaredNorm())));
-  s.momentum_bound = static_cast<double>(ledger.momentum_bound);
   const Scalar kinetic = kinetic_energy(world());
   const Scalar gained = kinetic - ledger.kinetic_at_start;
   const Scalar remainder = gained + ledger.stored.value() + ledger.lost.value() - ledger.work.value();
@@ -60,7 +59,9 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
   s.lost = static_cast<double>(ledger.lost.value());
   s.work = static_cast<double>(ledger.work.value());
   s.energy_remainder = static_cast<double>(remainder);
-  s.energy_bound = static_cast<double>(ledger.energy_bound);
+  const BoundOfSums<Scalar> sums = bound_of_sums(world(), kinetic);
+  s.momentum_bound = static_cast<double>(Scalar(ledger.momentum_bound + sums.momentum));
+  s.energy_bound = static_cast<double>(Scalar(ledger.energy_bound + sums.energy));
 }
 
 template <typename Scalar, int D>

@@ -135,7 +135,11 @@ std::string next_event(const JsonValue& in, const Place& place) {
   const Scene scene = read_next_event(in, place);
   if (certified::not_certified(scene)) {
     certified::ExactTiming certifier;
-    return simulated_text(tps::next_event(scene, {Timing::certified, &certifier}));
+    try {
+      return simulated_text(tps::next_event(scene, {Timing::certified, &certifier}));
+    } catch (const InputError& error) {  // knows the scene, not where it stands
+      throw InputError({{place.source, in.line, place.pointer, error.problems().front().message}});
+    }
   }
   const certified::NextEventInput input = certified::next_event_input(scene);
   const auto event = certified::certified_next_event(input);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
@@ -34,7 +35,9 @@ void add_builder(CLI::App& verb, const SceneBuilder& builder) {
   named->callback([a, builder] {
     NamedFiles().writes("-o", a->output).require_distinct();
     try {
-      write_result(a->output, write_scene(builder.build(a->values), SceneStyle::pretty));
+      const std::string text = write_scene(builder.build(a->values), SceneStyle::pretty);
+      static_cast<void>(read_scene_text(text, fmt::format("the scene of these options ({})", builder.name)));
+      write_result(a->output, text);
     } catch (const std::invalid_argument& error) {
       throw CLI::ValidationError(error.what());
     }

@@ -38,8 +38,10 @@ Accepted accepted_class(const std::string& text) {
   const bool has_factor =
       text.size() > 3 && text[1] == '(' && text.back() == ')' &&
       std::from_chars(text.data() + 2, text.data() + text.size() - 1, factor).ec == std::errc();
-  if (!has_factor || (text[0] != 'U' && text[0] != 'K')) {
-    throw std::invalid_argument(fmt::format("accept has {}; known classes: R, U(k), K(k)", text));
+  constexpr double kWidest = 0x1p40;  // beyond that a class accepts nearly anything
+  if (!has_factor || (text[0] != 'U' && text[0] != 'K') || !(factor >= 0 && factor <= kWidest)) {
+    throw std::invalid_argument(
+        fmt::format("accept has {}; known classes: R, U(k), K(k), k up to 2^40", text.substr(0, 60)));
   }
   return {text[0], factor};
 }
@@ -160,6 +162,20 @@ std::string in_words(const InputError& error) {
   return text;
 }
 
+/// The classes of a case: one at least, each a known one.
+std::optional<std::string> wrong_classes(const Json& accept) {
+  if (!accept.is_array() || accept.empty()) return "accept is not a list of classes: R, U(k), K(k)";
+  try {
+    for (const Json& text : accept) {
+      if (!text.is_string()) return fmt::format("accept has {}, which is no class", text.dump());
+      static_cast<void>(accepted_class(text.get<std::string>()));
+    }
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
 /// Why the question has no proven answer, in words.
 template <typename Ask>
 std::optional<std::string> unanswerable(const Ask& ask) {
@@ -180,13 +196,14 @@ std::optional<std::string> unanswerable(const Ask& ask) {
 std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
   if (!known_case.is_object() || !known_case.contains("in"))
     return "has no \"in\"; a case is a question and its answer";
+  if (!known_case.contains("id") || !known_case.at("id").is_string()) return "has no id that is a word";
   Json proven;
   if (const auto why = unanswerable([&] { proven = known_answer(op, known_case.at("in")); })) return why;
   for (const auto& [key, value] : proven.items()) {
     const Json stored = known_case.value(key, Json());
     if (stored != value) return fmt::format("{} is {}; proven: {}", key, stored.dump(), value.dump());
   }
-  return std::nullopt;
+  return wrong_classes(known_case.value("accept", Json()));
 }
 
 std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +11,8 @@
 #include "reference/text/line_source.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
+#include "reference/version.hpp"
+#include "verify/vectors/generate.hpp"
 
 namespace tps::vectors {
 namespace {
@@ -20,8 +23,16 @@ constexpr std::size_t longest_reason = 300;
 /// The cases of one header.
 class Section {
  public:
-  explicit Section(const Json& header)
-      : op(header.at("op").get<std::string>()), announced_(header.at("count").get<std::uint64_t>()) {}
+  /// Throws std::invalid_argument for a header that is none of this version.
+  explicit Section(const Json& header) : op(header.at("op").get<std::string>()) {
+    if (header.at("schema") != "vectors") throw std::invalid_argument("schema is not \"vectors\"");
+    require(header, "version", kVectorsVersion, kVectorsVersion);
+    require(header, "semantics", kOldestSemantics, kSemanticsVersion);
+    const Json& count = header.at("count");
+    if (!count.is_number_unsigned())
+      throw std::invalid_argument("count is " + shown(count) + "; it is a number of cases");
+    announced_ = count.get<std::uint64_t>();
+  }
 
   std::optional<std::string> missing() const {
     if (read == announced_) return std::nullopt;
@@ -33,7 +44,15 @@ class Section {
   std::uint64_t read = 0;
 
  private:
-  std::uint64_t announced_;
+  static void require(const Json& header, const char* key, int oldest, int newest) {
+    const Json& value = header.at(key);
+    const double version = value.is_number() ? value.get<double>() : 0;
+    if (version == std::floor(version) && version >= oldest && version <= newest) return;
+    throw std::invalid_argument(
+        fmt::format("{} is {}; this program knows {} to {}", key, shown(value), oldest, newest));
+  }
+
+  std::uint64_t announced_ = 0;
 };
 
 }  // namespace

@@ -262,6 +262,9 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
                      const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
                      if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
                      if (reply->contains("out")) {
+                       // What is not proven judges nobody.
+                       if (const auto unproven = vectors::wrong_in_case(op, known))
+                         return findings.problem(place, id + ": is no known answer: " + *unproven);
                        if (!said_hello) replies.offered.insert(op);
                        findings.judged();
                        const auto wrong = vectors::wrong_in_answer(op, known, reply->at("out"));

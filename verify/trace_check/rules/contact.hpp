@@ -1,6 +1,7 @@
 // Rule contact: at its event a pair is at its limit and moves the right way, eqs. (1) and (2).
 #pragma once
 
+#include "reference/version.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
@@ -30,8 +31,9 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
                               const TimingQuery& query) {
   using W = long double;
   const CollisionTime<double> answer = c.exact.answer(query);
-  const bool counts =
-      !asked.responded || answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
+  const bool counts = !asked.responded || answer.verdict == TimingVerdict::hit ||
+                      answer.verdict == TimingVerdict::turning ||
+                      (asked.outer && c.semantics >= kDirectedSemantics);
   if (!answer.t || !counts) return false;
   const W t = W(*answer.t) * (asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1);
   const W dt = elapsed(pair.start, event.t);

@@ -1,6 +1,7 @@
 // Rule earliest: what a pair that is not at its event must not have done meanwhile.
 #pragma once
 
+#include "reference/version.hpp"
 #include "verify/trace_check/clear.hpp"
 #include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
@@ -48,7 +49,10 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c, cons
   if (!valid(query)) return std::nullopt;
   const CollisionTime<double> answer = c.exact.answer(query);
   if (!answer.t) return std::nullopt;
-  const bool counts = answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning;
+  // Since responses are rounded directedly, a pulled pair that separates was rounded since, and is due at
+  // once.
+  const bool counts = answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning ||
+                      (asked.outer && c.semantics >= kDirectedSemantics);
   if (asked.responded && !counts) return std::nullopt;
   const int multiple = asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1;
   const double dt = multiple * rounded_once(c.exact, query, *answer.t, c.model.precision);
