@@ -90,9 +90,10 @@ class PairTiming {
   }
 
  private:
-  /// When a pair that was pulled, and that rounded coefficients have at or beyond its limit and separating,
-  /// is pulled again. Directed rounding made its exact h negative, however small: it comes back at −2h/a.
-  /// Where h ≥ 0 a stored position has been rounded since (another tether of the particle broke): at once.
+  /// When a pair that was pulled (D23), and that rounded coefficients have at or beyond its limit and
+  /// separating, is pulled again. Directed rounding made its exact h negative, however small: it comes back
+  /// at −2h/a. Where h ≥ 0 a stored position has been rounded since (another tether of the particle broke):
+  /// at once.
   static Scalar pulled_again(const View& pair) {
     if (normal_sign<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j) >= 0) return Scalar(0);
     const Dyadic h = detail::exact_dot<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, -1);

@@ -86,6 +86,7 @@ def main():
 
         cases = {
             "properties --": 2, "properties --cases 1 --": 2, "properties -- ''": 2, "properties --list --": 2,
+            "vectors verify vectors --answers ''": 2, "properties --library ''": 2, "check trace --scene ''": 2, "run scene -o ''": 2,
             "properties --replay .": 3, "properties --replay /nowhere": 3, "scene terminal --duration inf": 2,
         }
         for text, expected in cases.items():

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/scene/read_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/scenes/galperin.hpp"
 #include "verify/scenes/registry.hpp"
@@ -72,6 +73,15 @@ INSTANTIATE_TEST_SUITE_P(All, Catalogue, ::testing::ValuesIn(names()), [](const 
 
 // The heavy ball's velocity does not change by one light hit: its momentum is below the ball's rounding. The
 // bound has to count events that rounding erased.
+// The sums round what no event touched: a ball of mass 7 that flies by, beside one of 1e-9 at a wall.
+TEST(Conservation, BoundCoversTheSumsOfBystanders) {
+  const Scene scene = read_scene_file(TPS_SOURCE_DIR "/tests/run/light_beside_heavy.json");
+  const RunSummary s = run_scene(scene, options_for("double"));
+  EXPECT_GT(s.events, 0U);
+  EXPECT_LE(std::abs(s.energy_remainder), s.energy_bound);
+  EXPECT_LE(s.momentum_drift, s.momentum_bound);
+}
+
 TEST(Conservation, BoundCoversImpulsesThatRoundingErases) {
   Scene scene = build_galperin({.digits = 9});
   const RunSummary s = run_scene(scene, options_for("double", 2000));
