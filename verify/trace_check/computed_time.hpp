@@ -33,22 +33,6 @@ Sum<Scalar> later_by(const Sum<Scalar>& t, Scalar dt) {
   return exact_sum(sum.hi, Scalar(sum.lo + t.lo));
 }
 
-/// The float nearest to hi + lo. Rounding hi alone would round twice.
-inline float nearest_float(const Instant<double>& t) {
-  const auto nearest = static_cast<float>(t.hi);
-  const double off = t.hi - static_cast<double>(nearest);
-  if (off == 0 || t.lo == 0 || std::isinf(nearest)) return nearest;
-  const float other = std::nextafter(nearest, off > 0 ? HUGE_VALF : -HUGE_VALF);
-  const bool half_way = off == static_cast<double>(other) - t.hi;
-  return half_way && (t.lo > 0) == (off > 0) ? other : nearest;
-}
-
-/// A time whose two parts are doubles as one whose parts are floats. Exact for the times of float traces.
-inline Sum<float> in_floats(const Instant<double>& t) {
-  const float hi = nearest_float(t);
-  return {hi, static_cast<float>((t.hi - static_cast<double>(hi)) + t.lo)};
-}
-
 }  // namespace detail
 
 /// For double and float the same bits as the run's; for wider scalars to the working precision. Infinite
@@ -57,7 +41,8 @@ template <typename Number>
 Instant<Number> later_by(const Instant<Number>& t, const Number& dt, const Precision<Number>& precision) {
   if constexpr (std::is_same_v<Number, double>) {
     if (precision.is_float) {
-      const detail::Sum<float> sum = detail::later_by<float>(detail::in_floats(t), static_cast<float>(dt));
+      const Instant<float> start = in_floats(t);
+      const detail::Sum<float> sum = detail::later_by<float>({start.hi, start.lo}, static_cast<float>(dt));
       const detail::Sum<double> wide = detail::exact_sum<double>(sum.hi, sum.lo);
       return {wide.hi, wide.lo};
     }

@@ -109,29 +109,36 @@ void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>
   });
 }
 
+/// The two bodies of an event, before and after it; what they exchanged is the caller's.
+template <typename Number>
+Balance<Work<Number>> balance_of(const EventLine<Number>& event, const BodiesNow<Number>& b) {
+  using W = Work<Number>;
+  Balance<W> balance{};
+  balance.before_i = b.v_i;
+  balance.before_j = b.v_j;
+  balance.after_i = widened<W>(event.of(b.i)->velocity_after);
+  balance.after_j = widened<W>(event.of(b.j)->velocity_after);
+  balance.inverse_i = b.inverse_i;
+  balance.inverse_j = b.inverse_j;
+  balance.loads = b.loads;
+  return balance;
+}
+
 /// A collision that is not grouped.
 template <typename Number>
 void judge_conservation(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
                         const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
-  const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const Response<W>& response = expected.response;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : response.dp;
   const W error = event.dp ? W(0) : W(expected.roundings) * response.error;
-  const Balance<W> balance{
-      .before_i = b.v_i,
-      .before_j = b.v_j,
-      .after_i = after(b.i),
-      .after_j = after(b.j),
-      .inverse_i = b.inverse_i,
-      .inverse_j = b.inverse_j,
-      .loads = b.loads,
-      .exchanged = largest(dp),
-      .directed = slack_of_parting(c, event, b, event.kind != Kind::rebound, dp, error, b.loads),
-      .v_after = response.after,
-      .speed_error = W(expected.roundings) * response.speed_error,
-      .taken = response.lost,
-      .energy_error = response.lost_by_turning};
+  Balance<W> balance = balance_of(event, b);
+  balance.exchanged = largest(dp);
+  balance.directed = slack_of_parting(c, event, b, event.kind != Kind::rebound, dp, error, b.loads);
+  balance.v_after = response.after;
+  balance.speed_error = W(expected.roundings) * response.speed_error;
+  balance.taken = response.lost;
+  balance.energy_error = response.lost_by_turning;
   judge_momentum(c, balance, c.pair(b.i, b.j));
   judge_energy(c, balance, c.pair(b.i, b.j));
   if (expected.equation == "(4)") judge_angular_momentum(c, balance, b, c.pair(b.i, b.j));
@@ -142,21 +149,12 @@ template <typename Number>
 void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& event,
                              const BodiesNow<Number>& b) {
   using W = Work<Number>;
-  const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const W joined =
       b.inverse_i == W(0) || b.inverse_j == W(0) ? W(0) : W(1) / b.inverse_i + W(1) / b.inverse_j;
-  const Balance<W> balance{.before_i = b.v_i,
-                           .before_j = b.v_j,
-                           .after_i = after(b.i),
-                           .after_j = after(b.j),
-                           .inverse_i = b.inverse_i,
-                           .inverse_j = b.inverse_j,
-                           .loads = b.loads,
-                           .exchanged = b.mu * largest(b.v),
-                           .momentum_error = joined * by_eq6(b, c.u()).error,
-                           .v_after = {},
-                           .speed_error = W(0),
-                           .taken = b.mu / W(2) * dot(b.v, b.v)};
+  Balance<W> balance = balance_of(event, b);
+  balance.exchanged = b.mu * largest(b.v);
+  balance.momentum_error = joined * by_eq6(b, c.u()).error;
+  balance.taken = b.mu / W(2) * dot(b.v, b.v);
   judge_momentum(c, balance, c.pair(b.i, b.j));
   judge_energy(c, balance, c.pair(b.i, b.j));
 }
@@ -166,21 +164,14 @@ template <typename Number>
 void judge_parting_conservation(const Context<Number>& c, const EventLine<Number>& event,
                                 const BodiesNow<Number>& b, const LoadNode<Number>& node) {
   using W = Work<Number>;
-  const auto after = [&](int n) { return widened<W>(event.of(n)->velocity_after); };
   const Vec<W> dp = node.recorded ? widened<W>(node.dp) : node.dp_exact;
   const W inverse = b.inverse_i + b.inverse_j;
-  const Balance<W> balance{.before_i = b.v_i,
-                           .before_j = b.v_j,
-                           .after_i = after(event.i),
-                           .after_j = after(event.j),
-                           .inverse_i = b.inverse_i,
-                           .inverse_j = b.inverse_j,
-                           .loads = b.loads,
-                           .exchanged = largest(dp),
-                           .directed = slack_of_parting(c, event, b, node.outer, dp, node.dp_error, b.loads),
-                           .v_after = (b.v_j - b.v_i) - inverse * dp,
-                           .speed_error = node.dp_error,
-                           .taken = W(-dot(dp, dp) * inverse / W(2))};
+  Balance<W> balance = balance_of(event, b);
+  balance.exchanged = largest(dp);
+  balance.directed = slack_of_parting(c, event, b, node.outer, dp, node.dp_error, b.loads);
+  balance.v_after = (b.v_j - b.v_i) - inverse * dp;
+  balance.speed_error = node.dp_error;
+  balance.taken = W(-dot(dp, dp) * inverse / W(2));
   judge_momentum(c, balance, c.pair(b.i, b.j));
   judge_energy(c, balance, c.pair(b.i, b.j));
 }
