@@ -153,7 +153,7 @@ def closed(words, descriptors, scratch):
 def survive_closed_descriptors(tps, failures):
     printing = ["explain scene", "draw trace", "check trace", "run scene -q", "run scene -q -o made", "eval load --in input", "scene pair", "vectors list",
                 "vectors verify vectors_file", "vectors requests vectors_file", "vectors generate --op load --level 1", "properties --list",
-                "properties --quiet --cases 20 --law Eq6Laws.Law1*", "claims impact", "--help", "run --help", "--version", "run scene -q -o -"]
+                "properties --quiet --cases 20 --law Eq6Laws.Law1*", "claims collisions", "--help", "run --help", "--version", "run scene -q -o -"]
     silent = ["scene pair -o made", "draw trace -o made", "check trace -o made", "vectors generate --op load --level 1 -o made_folder"]
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -213,6 +213,7 @@ def exclude_two_writers(tps, failures):
 def main():
     tps = os.path.abspath(sys.argv[1])
     failures = processes.Failures()
+    processes.adopt_orphans()
     refuse_shared_files(tps, failures)
     survive_closed_descriptors(tps, failures)
     exclude_two_writers(tps, failures)

@@ -1,6 +1,6 @@
 """SIGKILL at random moments of verbs that write or have children. What a run has written goes on, or says that it holds no
 state yet, and ends as the run that was let alone; a check says that the trace is cut off; nothing of the others is left.
-Arguments: the program, [--kills N] (a kind, default 5). The long form: python3 tests/cli/kills.py build/release/tps --kills 100"""
+Arguments: the program, [--kills N] (a kind, default 3). The long form: python3 tests/cli/kills.py build/release/tps --kills 100"""
 import collections
 import os
 import pathlib
@@ -16,11 +16,11 @@ import processes
 
 RUNS = {"plain": [], "states": ["--state-every", "20"], "checkpoint": ["--state-every", "20", "--checkpoint", "kept"],
         "float": ["--scalar", "float"], "mp50": ["--scalar", "mp50", "--state-every", "30"], "certified": ["--timing", "certified"]}
-EVENTS = 3000
+EVENTS = collections.defaultdict(lambda: 3000, mp50=600)  # a run takes a fraction of a second
 
 
-def whole(tps, folder, options):
-    words = [tps, "run", "scene", "-q", "-o", "whole", "--max-events", str(EVENTS), *[o.replace("kept", "kept_whole") for o in options]]
+def whole(tps, folder, options, events):
+    words = [tps, "run", "scene", "-q", "-o", "whole", "--max-events", str(events), *[o.replace("kept", "kept_whole") for o in options]]
     start = time.monotonic()
     subprocess.run(words, cwd=folder, check=True, stdout=subprocess.DEVNULL)
     return (folder / "whole").read_bytes(), time.monotonic() - start
@@ -31,10 +31,10 @@ def events_of(trace):
     return [line for line in trace.splitlines() if not line.startswith(b'{"state"')]
 
 
-def killed_run(tps, folder, options, expected, after, failures, seen):
+def killed_run(tps, folder, options, events, expected, after, failures, seen):
     for name in ("cut", "kept", "kept.unfinished"):
         (folder / name).unlink(missing_ok=True)
-    marked = processes.Marked([tps, "run", "scene", "-q", "-o", "cut", "--max-events", str(EVENTS), *options], cwd=folder)
+    marked = processes.Marked([tps, "run", "scene", "-q", "-o", "cut", "--max-events", str(events), *options], cwd=folder)
     time.sleep(after)
     marked.process.send_signal(signal.SIGKILL)
     marked.end()
@@ -46,7 +46,7 @@ def killed_run(tps, folder, options, expected, after, failures, seen):
     check = processes.run([tps, "check", "cut", "-q"], cwd=folder) if "mp50" not in options and cut != expected and cut else None
     if check:
         failures.expect(check[0] in (1, 3) and ("end" in check[1] + check[2]), f"check of a trace of {len(cut)} bytes: {check}")
-    code, _, err = processes.run([tps, "run", "--resume", "cut", "-q", "--max-events", str(EVENTS)], cwd=folder)
+    code, _, err = processes.run([tps, "run", "--resume", "cut", "-q", "--max-events", str(events)], cwd=folder)
     if code == 3 and ("no full state" in err or "no complete line" in err):
         seen["said to hold no state"] += 1
         failures.expect(b'\n{"state"' not in cut.rpartition(b"\n")[0], f"a state is there: {err}")
@@ -61,7 +61,7 @@ def killed_run(tps, folder, options, expected, after, failures, seen):
 
 def main():
     tps = os.path.abspath(sys.argv[1])
-    kills = int(sys.argv[3]) if len(sys.argv) > 3 else 5
+    kills = int(sys.argv[3]) if len(sys.argv) > 3 else 3
     moments = random.Random(20261125)
     failures = processes.Failures()
     seen = collections.Counter()
@@ -69,9 +69,9 @@ def main():
         folder = pathlib.Path(scratch)
         subprocess.run([tps, "scene", "gas", "--particles", "60", "--duration", "1e6", "-o", "scene"], cwd=folder, check=True)
         for name, options in RUNS.items():
-            expected, seconds = whole(tps, folder, options)
+            expected, seconds = whole(tps, folder, options, EVENTS[name])
             for _ in range(kills):
-                killed_run(tps, folder, options, expected, moments.uniform(0, 1.2) * seconds, failures, seen)
+                killed_run(tps, folder, options, EVENTS[name], expected, moments.uniform(0, 1.2) * seconds, failures, seen)
         for mode in ("right", "hang", "fork_hang", "session_hang", "daemon_hang", "grandchildren", "deaf", "noisy", "flood_lines"):
             for _ in range(kills):
                 marked = processes.Marked([tps, "properties", "--quiet", "--cases", "100000", "--timeout", "3000", "-o", "broken", "--", sys.executable,

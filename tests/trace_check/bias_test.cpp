@@ -128,7 +128,7 @@ TEST(Bias, IsNotSeenInRegularMotion) {
 
 // Two tethered particles that revolve at whatever angle, without loss.
 TEST(Bias, IsNotSeenInRevolutionsAtAnyAngle) {
-  for (double theta = 4; theta < 85; theta += 6) {
+  for (double theta = 4; theta < 85; theta += 12) {
     Scene scene = testing::plain_scene(2);
     testing::tether(scene, 0, 0, 1).tethering->theta_revolve_deg = theta;
     testing::add_particle(scene, 0, {0, 0, 0}, {0, -.5, 0});
