@@ -2,7 +2,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "properties/format.hpp"
 
@@ -40,6 +42,19 @@ class Implementation {
   virtual Format format() const = 0;
   /// Never throws for what the implementation does.
   virtual Answer ask(const Question& question) = 0;
+  /// One after the other, in their order; a program may be sent the next before it has answered the last.
+  /// Laws: (1) as long as the answers of ask(). (2) A failure is the answer of the question that it happened
+  /// at.
+  virtual std::vector<Answer> ask_all(const std::vector<Question>& questions) {
+    std::vector<Answer> answers;
+    answers.reserve(questions.size());
+    for (const Question& question : questions) answers.push_back(ask(question));
+    return answers;
+  }
+  /// The operations that it says it offers; nothing where it does not say.
+  virtual std::optional<std::vector<std::string>> offered() const { return std::nullopt; }
+  /// Whether groups may have collisions at outer limits; the C header has none.
+  virtual bool takes_outer_groups() const { return true; }
   /// Why it is not worth asking any more; empty as long as it is.
   virtual std::string given_up() const { return {}; }
 };

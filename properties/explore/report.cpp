@@ -89,8 +89,11 @@ std::string state_of(const LawReport& report) {
 
 std::string command_of(const Question& question) {
   std::string text = "tps eval " + question.op;
-  if (question.op == "group" || question.op == "order")
-    return fmt::format("echo '{}' | {} --in -", question.in.dump(), text);
+  // Words on the command line are numbers and lists of numbers.
+  const bool is_plain = std::all_of(question.in.begin(), question.in.end(), [](const Json& value) {
+    return value.is_string() || (value.is_array() && !value.empty() && value[0].is_string());
+  });
+  if (!is_plain) return fmt::format("echo '{}' | {} --in -", question.in.dump(), text);
   for (const auto& [key, value] : question.in.items()) {
     text += fmt::format(" {}=", key);
     if (!value.is_array()) {

@@ -26,7 +26,7 @@ struct Replay {
 std::string replay_text(const Replay& replay);
 std::string replay_json(const Replay& replay);
 
-/// `tps eval …` for a question; group and order go by --in.
+/// `tps eval …` for a question; what has parts of its own (group, order, a scene) goes by --in.
 std::string command_of(const Question& question);
 
 }  // namespace tps::properties

@@ -116,7 +116,14 @@ class Equations {
     velocities(answer.dp);
   }
 
-  /// Inner collisions only: the laws ask no others.
+  Vec impulse_of(const Json& c, const CollisionFrame<Scalar, D>& f, const Scalar& m_i, const Scalar& m_j) {
+    if (c.value("limit", "inner") != "outer")
+      return collision_impulse<Scalar, D>(f, m_i, m_j, scalar(c.at("c")));
+    return tether_response<Scalar, D>(f, m_i, m_j, scalar(c.at("c_retract")), scalar(c.at("c_revolve")),
+                                      scalar(c.at("theta_revolve_deg")))
+        .dp;
+  }
+
   void group() {
     struct Node {
       std::vector<std::size_t> i, j;
@@ -138,7 +145,7 @@ class Equations {
     for (const Json& c : in_.at("collisions")) {
       const auto i = c.at("i").get<std::size_t>(), j = c.at("j").get<std::size_t>();
       const CollisionFrame<Scalar, D> f = collision_frame<Scalar, D>(u[i], u[j], v[i], v[j]);
-      const Vec dp = collision_impulse<Scalar, D>(f, m[i], m[j], scalar(c.at("c")));
+      const Vec dp = impulse_of(c, f, m[i], m[j]);
       nodes.push_back(
           {members[i], members[j], m[i], m[j], restitution_impulse<Scalar, D>(m[i], m[j], v[i], v[j], dp)});
       const Vec joint = load_velocity<Scalar, D>(m[i], m[j], v[i], v[j]);

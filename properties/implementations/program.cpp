@@ -46,10 +46,51 @@ class Program final : public Implementation {
   std::string name() const override { return name_; }
   Format format() const override { return Format::of_bits(bits_); }
   std::string given_up() const override { return given_up_; }
+  std::optional<std::vector<std::string>> offered() const override { return offered_; }
+  bool takes_outer_groups() const override { return takes_outer_groups_; }
 
   Answer ask(const Question& question) override {
     if (!given_up_.empty()) return {Answer::Status::failed, {}, given_up_};
-    Answer answer = reply_to(question);
+    return noted(reply_to(question));
+  }
+
+  /// A window of requests is on its way at a time. Where a reply does not come, its requests are sent again
+  /// one by one: a program that buffers its replies takes answered ones with it when it ends.
+  std::vector<Answer> ask_all(const std::vector<Question>& questions) override {
+    std::vector<Answer> answers;
+    answers.reserve(questions.size());
+    while (answers.size() < questions.size() && given_up_.empty()) {
+      const std::size_t first = answers.size(), end = std::min(first + kWindow, questions.size());
+      if (!ask_ahead(questions, end, answers)) {
+        while (answers.size() < end) answers.push_back(ask(questions[answers.size()]));
+      }
+    }
+    while (answers.size() < questions.size()) answers.push_back(ask(questions[answers.size()]));
+    return answers;
+  }
+
+ private:
+  /// Appends the answers up to `end`. @return whether all came; else the program is gone.
+  bool ask_ahead(const std::vector<Question>& questions, std::size_t end, std::vector<Answer>& answers) {
+    if (child_ == nullptr) return false;
+    const std::uint64_t before = seq_ - answers.size();
+    for (std::size_t n = answers.size(); n < end; ++n) child_->write_line(request_line(++seq_, questions[n]));
+    while (answers.size() < end) {
+      const ChildProcess::Line line = child_->read_line(options_.timeout);
+      Answer answer = line.status == Status::line ? read_reply(line.text, before + answers.size() + 1)
+                                                  : Answer{Answer::Status::failed, {}, {}};
+      if (answer.status == Answer::Status::failed) {
+        child_.reset();
+        return false;
+      }
+      failures_in_a_row_ = 0;
+      answers.push_back(std::move(answer));
+    }
+    return true;
+  }
+
+  /// Counts failures, and gives up after too many.
+  Answer noted(Answer answer) {
     if (answer.status != Answer::Status::failed) {
       failures_in_a_row_ = 0;
       return answer;
@@ -62,7 +103,6 @@ class Program final : public Implementation {
     return answer;
   }
 
- private:
   Answer reply_to(const Question& question) {
     if (child_ == nullptr) {
       if (const std::string problem = start(); !problem.empty())
@@ -102,6 +142,7 @@ class Program final : public Implementation {
     }
     if (!hello.is_object() || !hello.contains("name"))
       return "the answer to hello has no name: " + printable(line, 200);
+    read_offer(hello);
     if (options_.bits) {
       bits_ = *options_.bits;
     } else if (const auto bits = hello.find("bits"); bits != hello.end()) {
@@ -116,12 +157,25 @@ class Program final : public Implementation {
     return {};
   }
 
+  void read_offer(const Json& hello) {
+    takes_outer_groups_ = hello.value("group", Json()) != "inner";
+    const auto ops = hello.find("ops");
+    if (ops == hello.end() || !ops->is_array()) return;
+    offered_.emplace();
+    for (const Json& op : *ops) {
+      if (op.is_string()) offered_->push_back(op.get<std::string>());
+    }
+  }
+
+  static constexpr std::size_t kWindow = 256;
   static constexpr int kLeastBits = 8, kMostBits = 400;
 
   std::string name_;
   std::function<int()> body_;
   ProgramOptions options_;
   int bits_ = 53;
+  std::optional<std::vector<std::string>> offered_;
+  bool takes_outer_groups_ = true;
   std::uint64_t seq_ = 0;
   int hangs_ = 0, failures_in_a_row_ = 0;
   std::string given_up_;

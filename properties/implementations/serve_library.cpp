@@ -183,8 +183,28 @@ class Request {
   Vec3 dp_{}, new_A_{}, new_B_{};
 };
 
+/// The operations with a function in the table.
+Json offered(const tps_implementation& table) {
+  Json names = Json::array();
+  const auto add = [&](const char* op, bool is_there) {
+    if (is_there) names.push_back(op);
+  };
+  add("block_time", table.block_time != nullptr);
+  add("tether_time", table.tether_time != nullptr);
+  add("order", table.order != nullptr);
+  add("apply_impulse", table.apply_impulse != nullptr);
+  add("collision_impulse", table.collision_impulse != nullptr);
+  add("revolution_impulse", table.revolution_impulse != nullptr);
+  add("tether_response", table.tether_response != nullptr);
+  add("load", table.load != nullptr);
+  add("restitution_impulse", table.restitution_impulse != nullptr);
+  add("group", table.group != nullptr);
+  return names;
+}
+
 Json reply_to(const tps_implementation& table, const Json& request) {
-  if (request.contains("hello")) return {{"name", table.name}, {"bits", table.bits}};
+  if (request.contains("hello"))
+    return {{"name", table.name}, {"bits", table.bits}, {"ops", offered(table)}, {"group", "inner"}};
   Json reply{{"seq", request.at("seq")}};
   try {
     reply["out"] = Request(table, request.at("in")).answer(request.at("op").get<std::string>());

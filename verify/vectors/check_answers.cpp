@@ -133,19 +133,6 @@ std::optional<std::string> wrong_response(const Json& answer, const Json& known_
   return std::nullopt;
 }
 
-/// The protocol's list of particles as rows of positions and velocities, in the order of ids.
-Json in_rows(Json out) {
-  Json state = out.value("state", Json::array());
-  std::sort(state.begin(), state.end(), [](const Json& one, const Json& other) {
-    return one.at("id").get<int>() < other.at("id").get<int>();
-  });
-  for (const Json& particle : state) {
-    out["positions"].push_back(particle.at("position"));
-    out["velocities"].push_back(particle.at("velocity"));
-  }
-  return out;
-}
-
 std::optional<std::string> wrong_event(const Json& known_case, const Json& out) {
   for (const char* key : {"i", "j"}) {
     if (const auto wrong = wrong_word(key, known_case.at(key), out)) return wrong;
@@ -192,6 +179,18 @@ std::optional<std::string> unanswerable(const Ask& ask) {
 }
 
 }  // namespace
+
+Json in_rows(Json out) {
+  Json state = out.value("state", Json::array());
+  std::sort(state.begin(), state.end(), [](const Json& one, const Json& other) {
+    return one.at("id").get<int>() < other.at("id").get<int>();
+  });
+  for (const Json& particle : state) {
+    out["positions"].push_back(particle.at("position"));
+    out["velocities"].push_back(particle.at("velocity"));
+  }
+  return out;
+}
 
 std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
   if (!known_case.is_object() || !known_case.contains("in"))

@@ -21,4 +21,8 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
 /// not judged, but then t must be there.
 std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out);
 
+/// The "out" of next_event as a known answer has it: `positions` and `velocities`, a row a particle, in the
+/// order of ids. Throws where a particle has no id.
+Json in_rows(Json out);
+
 }  // namespace tps::vectors

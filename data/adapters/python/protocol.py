@@ -1,0 +1,42 @@
+"""The protocol of docs/protocol.md: one request a line, one reply a line. `serve` is all that a program of yours needs."""
+import json
+import sys
+
+
+def read(value):
+    """Numbers come as hexadecimal floats in strings, "inf" among them; other words stay."""
+    if isinstance(value, list):
+        return [read(x) for x in value]
+    if isinstance(value, dict):
+        return {key: read(x) for key, x in value.items()}
+    try:
+        return float.fromhex(value) if isinstance(value, str) else value
+    except ValueError:
+        return value
+
+
+def written(value):
+    if isinstance(value, list):
+        return [written(x) for x in value]
+    return value.hex() if isinstance(value, float) else value
+
+
+def reply(request, operations):
+    operation = operations.get(request["op"])
+    if operation is None:
+        return {"skip": "unknown_op"}
+    try:
+        out = operation(**read(request["in"]))
+    except (ArithmeticError, ValueError) as problem:  # 0/0, a root of what should not be negative
+        return {"error": "no_answer", "message": str(problem)}
+    return {"out": {key: written(value) for key, value in out.items()}}
+
+
+def serve(name, operations, bits=53):
+    for line in sys.stdin:
+        request = json.loads(line)
+        if "bye" in request:
+            return
+        hello = {"name": name, "ops": list(operations), "bits": bits}
+        answer = hello if "hello" in request else {"seq": request["seq"], **reply(request, operations)}
+        print(json.dumps(answer), flush=True)

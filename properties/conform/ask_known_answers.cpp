@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "properties/conform/hypotheses.hpp"
+#include "properties/conform/inquiry.hpp"
+#include "properties/explore/report.hpp"
+#include "properties/implementations/reference.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "verify/eval/operations.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+bool wanted(const std::vector<std::string>& list, const std::string& name) {
+  return list.empty() || std::any_of(list.begin(), list.end(), [&](const std::string& pattern) {
+           return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+         });
+}
+
+/// The reference in the narrowest of its scalars that has these bits.
+std::unique_ptr<Implementation> reference_in(const Format& format) {
+  return reference(format.bits <= 24 ? "float" : format.bits <= 53 ? "double" : "long-double");
+}
+
+void note_numbers(const Json& value, Environment& environment) {
+  if (value.is_structured()) {
+    for (const Json& each : value) note_numbers(each, environment);
+  } else if (value.is_string()) {
+    if (const auto digits = split_hex(value.get_ref<const std::string&>()))
+      environment.bits_seen = std::max(environment.bits_seen, significant_bits(*digits));
+    if (const auto x = numbers_of(value); x && x->at(0) != 0 && std::fabs(x->at(0)) < 0x1p-1022)
+      environment.subnormals = true;
+  } else if (value.is_number()) {
+    environment.bits_seen =
+        std::max(environment.bits_seen, significant_bits(hex_digits(value.get<double>())));
+  }
+}
+
+class KnownAnswers {
+ public:
+  KnownAnswers(Implementation& subject, const Plan& plan, Verdict& verdict)
+      : subject_(subject), plan_(plan), verdict_(verdict), stable_(reference_in(subject.format())) {}
+
+  void ask() {
+    const Selection selection{plan_.level, [this](const std::string& op) { return is_asked(op); },
+                              [this](const std::string& name) { return wanted(plan_.strata, name); },
+                              subject_.takes_outer_groups()};
+    for_known_questions(selection, subject_.format(), [this](const Stratum& stratum) {
+      if (plan_.stops() || !subject_.given_up().empty()) return false;
+      if (offers(stratum)) ask(stratum);
+      return true;
+    });
+  }
+
+ private:
+  /// Whether an operation is wanted, and not one of which the subject says that it lacks it.
+  bool is_asked(const std::string& op) {
+    if (!wanted(plan_.ops, op)) return false;
+    const auto offered = subject_.offered();
+    if (!offered || std::find(offered->begin(), offered->end(), op) != offered->end()) return true;
+    lacks(op);
+    return false;
+  }
+
+  /// A subject that does not say what it offers is known by its first answer.
+  bool offers(const Stratum& stratum) {
+    const auto known = offers_.find(stratum.op);
+    if (known != offers_.end()) return known->second;
+    const bool answers =
+        subject_.offered() || subject_.ask(stratum.cases.front().question).status != Answer::Status::skipped;
+    if (!answers) lacks(stratum.op);
+    return offers_[stratum.op] = answers;
+  }
+
+  void lacks(const std::string& op) {
+    std::vector<std::string>& names = verdict_.not_offered;
+    if (std::find(names.begin(), names.end(), op) == names.end()) names.push_back(op);
+  }
+
+  void ask(const Stratum& stratum) {
+    plan_.progress(stratum.op + "." + stratum.name);
+    std::vector<Question> questions;
+    for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
+    const std::vector<Answer> answers = subject_.ask_all(questions);
+    Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,
+            page_of(stratum.op)};
+    row.reference = 0;
+    for (std::size_t n = 0; n < answers.size(); ++n) judge(stratum.cases[n], answers[n], row);
+    if (row.asked() > 0) verdict_.rows.push_back(std::move(row));
+  }
+
+  void judge(const KnownQuestion& known, const Answer& answer, Row& row) {
+    if (answer.status == Answer::Status::failed) return verdict_.note_failure(known.id, answer.reason);
+    note_numbers(answer.out, verdict_.environment);
+    const Format format = subject_.format();
+    const Grade found = grade(known, answer, format, *stable_);
+    if (const auto score = reference_has(known, format); !score) {
+      row.reference.reset();
+    } else if (row.reference && *score) {
+      ++*row.reference;
+    }
+    row.add(found, {found.which, known.id, {}, {command_of(known.question)}, known.question.in.dump(), 0, 0});
+    if (found.which != Class::wrong) return;
+    for (const std::string& name : hypotheses_fitting(known, answer.out)) ++row.hypotheses[name];
+  }
+
+  /// Nothing where the equations do not answer this operation.
+  std::optional<bool> reference_has(const KnownQuestion& known, const Format& format) {
+    const Answer answer = stable_->ask(known.question);
+    if (answer.status == Answer::Status::skipped) return std::nullopt;
+    return answer.status == Answer::Status::answered &&
+           grade(known, answer, format, *stable_).which <= Class::rounding;
+  }
+
+  Implementation& subject_;
+  const Plan& plan_;
+  Verdict& verdict_;
+  std::unique_ptr<Implementation> stable_;
+  std::map<std::string, bool> offers_;
+};
+
+}  // namespace
+
+std::string area_of(const std::string& op) {
+  if (op == "block_time" || op == "tether_time") return "timing";
+  if (op == "tether_response") return "response";
+  if (op == "group") return "grouping";
+  if (op == "next_event") return "engine";
+  return op == "order" ? op : "equations";
+}
+
+std::string page_of(const std::string& op) {
+  const eval::Operation* operation = eval::find_operation(op);
+  if (operation == nullptr) return op == "order" ? "docs/exact.md" : "docs/protocol.md";
+  // "(4)", and "(4) or (5)" of the response that decides between them by what eq5.md says
+  const std::string_view equation = operation->equation;
+  return fmt::format("docs/eq{}.md", equation[equation.size() - 2]);
+}
+
+void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {
+  verdict.environment.bits = subject.format().bits;
+  KnownAnswers(subject, plan, verdict).ask();
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <memory>
+
+#include "properties/check_law.hpp"
+#include "properties/conform/inquiry.hpp"
+#include "properties/explore/report.hpp"
+#include "properties/implementations/reference.hpp"
+#include "reference/process/interrupt.hpp"
+#include "verify/vectors/known_answer.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Kind = Outcome::Kind;
+
+/// After so many broken cases of a law the others would say the same.
+constexpr int kMostBroken = 10;
+/// K(k) of answers to a law's questions, as known answers of their operations have it (docs/vectors.md).
+constexpr const char* kAcceptedTime = "K(8)";
+constexpr const char* kAcceptedResponse = "K(16)";
+constexpr const char* kAcceptedGroup = "K(64)";
+
+/// Gives up at a moment, which ends shrinking.
+class Until final : public Implementation {
+ public:
+  Until(Implementation& subject, Clock::time_point end) : subject_(subject), end_(end) {}
+  std::string name() const override { return subject_.name(); }
+  Format format() const override { return subject_.format(); }
+  Answer ask(const Question& question) override { return subject_.ask(question); }
+  std::string given_up() const override {
+    return Clock::now() > end_ ? "the time for shrinking is over" : subject_.given_up();
+  }
+
+ private:
+  Implementation& subject_;
+  Clock::time_point end_;
+};
+
+class Laws {
+ public:
+  Laws(Implementation& subject, const Plan& plan, Verdict& verdict)
+      : subject_(subject),
+        plan_(plan),
+        verdict_(verdict),
+        stable_(reference(subject.format().bits <= 24 ? "float" : "double")) {}
+
+  void ask() {
+    for (const Law& law : laws()) {
+      if (plan_.stops() || !subject_.given_up().empty()) return;
+      if (is_asked(law)) ask(law);
+    }
+  }
+
+ private:
+  bool is_asked(const Law& law) const {
+    const auto offered = subject_.offered();
+    return std::all_of(law.operations.begin(), law.operations.end(), [&](const std::string& op) {
+      const bool wanted =
+          plan_.ops.empty() || std::find(plan_.ops.begin(), plan_.ops.end(), op) != plan_.ops.end();
+      return wanted && (!offered || std::find(offered->begin(), offered->end(), op) != offered->end());
+    });
+  }
+
+  void ask(const Law& law) {
+    plan_.progress(law.text.id);
+    Row row{area_of(law.operations.front()), law.text.id, "laws", law.text.number, law.text.page};
+    int broken = 0;
+    std::optional<std::uint64_t> to_shrink;
+    for (std::uint64_t n = 0; n < plan_.law_cases && broken < kMostBroken; ++n) {
+      if (plan_.stops() || !subject_.given_up().empty()) break;
+      const Examined found = examine(law, subject_, generated_case(law, subject_.format(), plan_.seed, n));
+      if (found.outcome.kind == Kind::skipped) return;
+      if (found.outcome.kind == Kind::failed)
+        verdict_.note_failure(fmt::format("{}, case {}", law.text.id, n), found.outcome.why);
+      if (found.outcome.kind == Kind::outside || found.outcome.kind == Kind::failed) continue;
+      const Grade grade = graded(found);
+      const bool worst = !row.example || row.example->which < grade.which;
+      if (found.outcome.kind == Kind::broken) {
+        ++broken;
+        if (worst) to_shrink = n;
+      }
+      row.add(grade, example(law, n, found));
+    }
+    if (to_shrink) shrink(law, *to_shrink, row);
+    if (row.asked() > 0) verdict_.rows.push_back(std::move(row));
+  }
+
+  static Example example(const Law& law, std::uint64_t n, const Examined& found) {
+    Example made{Class::right,
+                 fmt::format("{}, case {}", law.text.id, n),
+                 std::string(law.text.sentence) + ": " + found.outcome.why,
+                 {},
+                 {}};
+    for (const Question& question : found.questions) made.commands.push_back(command_of(question));
+    if (!found.questions.empty()) made.in = found.questions.back().in.dump();
+    return made;
+  }
+
+  Grade graded(const Examined& found) {
+    switch (found.outcome.kind) {
+      case Kind::holds:
+        return {};
+      case Kind::rounding:
+        return {Class::not_bitwise, found.outcome.why};
+      case Kind::refused:
+        return {std::all_of(found.questions.begin(), found.questions.end(),
+                            [&](const Question& q) { return !leaves_range(q, subject_.format()); })
+                    ? Class::refused
+                    : Class::worse,
+                found.outcome.why};
+      default:
+        return {class_of_broken(found), found.outcome.why};
+    }
+  }
+
+  /// A law is broken by the worst of the answers that it was given. Where all of them are right to rounding,
+  /// they do not fit together, which is wrong.
+  Class class_of_broken(const Examined& found) {
+    Class worst = Class::right;
+    for (const Question& question : found.questions) {
+      if (const auto known = certified(question)) {
+        worst = std::max(worst, grade(*known, subject_.ask(question), subject_.format(), *stable_).which);
+      }
+    }
+    return worst <= Class::rounding ? Class::wrong : worst;
+  }
+
+  static std::optional<KnownQuestion> certified(const Question& question) {
+    try {
+      KnownQuestion known{{}, {}, question, vectors::known_answer(question.op, question.in)};
+      const bool is_timing = known.answer.contains("verdict");
+      known.answer["accept"] = {"R", is_timing                ? kAcceptedTime
+                                     : question.op == "group" ? kAcceptedGroup
+                                                              : kAcceptedResponse};
+      return known;
+    } catch (const std::exception&) {
+      return std::nullopt;  // no operation of known answers, or a question that has none
+    }
+  }
+
+  /// The shrunk case takes the place of the example, where there is time.
+  void shrink(const Law& law, std::uint64_t n, Row& row) {
+    const Clock::time_point start = Clock::now();
+    const auto left = std::chrono::duration<double>(plan_.shrink_seconds - spent_);
+    Until hurried(subject_, start + std::chrono::duration_cast<Clock::duration>(left));
+    if (!row.example || !hurried.given_up().empty()) return;
+    Tally tally;
+    Extent extent{plan_.seed, n, 1};
+    const auto finding = check_law(law, hurried, extent, tally);
+    spent_ += std::chrono::duration<double>(Clock::now() - start).count();
+    if (!finding || finding->shrinks == 0) return;
+    const Class which = row.example->which;
+    const Examined shrunk{finding->outcome, finding->questions};
+    if (graded(shrunk).which != which) return;  // a simpler case of another kind says something else
+    row.example = example(law, n, shrunk);
+    row.example->which = which;
+    row.example->id += fmt::format(", shrunk {} times", finding->shrinks);
+  }
+
+  Implementation& subject_;
+  const Plan& plan_;
+  Verdict& verdict_;
+  std::unique_ptr<Implementation> stable_;
+  double spent_ = 0;  ///< on shrinking, in seconds
+};
+
+}  // namespace
+
+void ask_laws(Implementation& subject, const Plan& plan, Verdict& verdict) {
+  Laws(subject, plan, verdict).ask();
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,34 @@
+// The inquiry: everything that is asked of an implementation, in order, with what it may cost.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "properties/conform/verdict.hpp"
+
+namespace tps::properties::conform {
+
+struct Plan {
+  int level = 2;                  ///< known answers: 1 ten a stratum, 2 those of data/vectors
+  std::uint64_t law_cases = 100;  ///< of each law
+  std::uint64_t seed = 20260101;  ///< of the laws' cases
+  std::vector<std::string> ops;   ///< only these; all where empty
+  std::vector<std::string>
+      strata;                 ///< patterns of "op.stratum"; all where empty. With them no laws are asked
+  double shrink_seconds = 2;  ///< for all laws together
+  std::function<bool()> stops = [] { return false; };
+  std::function<void(const std::string& doing)> progress = [](const std::string&) {};
+};
+
+/// Known answers and laws of everything that the subject offers. Adds to the verdict's rows, failures and
+/// notes; sets its environment.
+void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict);
+void ask_laws(Implementation& subject, const Plan& plan, Verdict& verdict);
+
+/// The part of the table that an operation belongs to.
+std::string area_of(const std::string& op);
+/// The page of an operation.
+std::string page_of(const std::string& op);
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,29 @@
+// A verdict as text and for other programs.
+#pragma once
+
+#include <string>
+
+#include "properties/conform/verdict.hpp"
+
+namespace tps::properties::conform {
+
+/// The table, what is not right in it, and one sentence. With `every_row` the hazards without a finding, too.
+std::string report_text(const Verdict& verdict, bool every_row);
+
+/// The last sentence alone.
+std::string sentence(const Verdict& verdict);
+
+/// What a row says in one line: "3 BEYOND ITS PRECISION (the reference in double: 3)".
+std::string findings_of(const Row& row);
+
+std::string report_json(const Verdict& verdict);
+std::string report_junit(const Verdict& verdict);
+std::string report_markdown(const Verdict& verdict);
+/// A badge that names the profile and the version of the data.
+std::string report_svg(const Verdict& verdict);
+
+/// 0 conforming, 1 a row fails or one that may fail does not, 4 the subject crashed, hung or broke the
+/// protocol, 5 nothing was asked, 130 interrupted.
+int exit_code(const Verdict& verdict);
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "properties/conform/report.hpp"
+#include "reference/text/printable.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+constexpr std::array<const char*, 7> kAreas{"equations", "timing", "order",     "response",
+                                            "grouping",  "engine", "whole runs"};
+
+/// One line of the table: rows of one operation, or the laws of an area, together.
+struct Line {
+  std::string area, of;
+  std::array<std::uint64_t, kClasses> counts{};
+  std::optional<std::uint64_t> reference = 0;
+  double units = 0, cond = 0;
+  std::string page;
+};
+
+std::vector<Line> lines_of(const Verdict& verdict) {
+  std::vector<Line> lines;
+  for (const char* area : kAreas) {
+    const std::size_t first = lines.size();
+    for (const Row& row : verdict.rows) {
+      if (row.area != area) continue;
+      const auto same = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(),
+                                     [&](const Line& line) { return line.of == row.of; });
+      Line& line =
+          same != lines.end() ? *same : lines.emplace_back(Line{area, row.of, {}, 0, 0, 0, row.page});
+      for (std::size_t c = 0; c < kClasses; ++c) line.counts[c] += row.counts[c];
+      if (!row.reference) line.reference.reset();
+      if (line.reference) *line.reference += *row.reference;
+      if (row.worst_units * std::max(line.cond, 1.0) > line.units * std::max(row.worst_cond, 1.0)) {
+        line.units = row.worst_units;
+        line.cond = row.worst_cond;
+      }
+    }
+  }
+  return lines;
+}
+
+std::string number_or_dot(std::uint64_t n) {
+  return n == 0 ? "." : fmt::format("{}", n);
+}
+
+std::string table(const Verdict& verdict) {
+  std::string text = fmt::format("{:<12}{:<21}{:>6}", "", "", "asked");
+  for (const ClassFacts& facts : kClassFacts) text += fmt::format("{:>10}", facts.brief);
+  text += fmt::format("{:>11}  {:<20} {}\n", "reference", "worst, cond", "page");
+  std::string area;
+  for (const Line& line : lines_of(verdict)) {
+    text += fmt::format("{:<12}{:<21}", line.area == area ? "" : line.area, line.of);
+    area = line.area;
+    std::uint64_t asked = 0;
+    for (const std::uint64_t n : line.counts) asked += n;
+    text += fmt::format("{:>6}", asked);
+    for (const std::uint64_t n : line.counts) text += fmt::format("{:>10}", number_or_dot(n));
+    const bool scored = line.reference && line.of != "laws" && line.area != "whole runs";
+    text += fmt::format("{:>11}", scored ? number_or_dot(*line.reference) : "");
+    const std::string worst = line.units > 0 ? fmt::format("{:.3g}, {:.2g}", line.units, line.cond) : "";
+    text += line.of == "laws" ? "\n" : fmt::format("  {:<20} {}\n", worst, line.page);
+  }
+  return text;
+}
+
+std::string example_text(const Row& row) {
+  const Example& e = *row.example;
+  std::string text = fmt::format("    {}: {}\n", e.id, e.why);
+  for (const std::string& command : e.commands) text += "      " + command + "\n";
+  return text;
+}
+
+std::string row_text(const Row& row) {
+  std::string text = fmt::format("  {:<34} {}; {}\n", row.name, findings_of(row), row.page);
+  if (const std::string best = Verdict::best_hypothesis(row); !best.empty())
+    text += fmt::format("    your answer equals: {} ({} of {})\n", best, row.hypotheses.at(best),
+                        row.of_class(Class::wrong));
+  return row.example && row.example->which >= Class::worse ? text + example_text(row) : text;
+}
+
+/// Rows by the worst class in them, those that fail first.
+std::string findings_text(const Verdict& verdict) {
+  std::string text;
+  for (std::size_t c = kClasses; c-- > index_of(Class::not_bitwise);) {
+    bool headed = false;
+    for (const Row& row : verdict.rows) {
+      if (!row.example || row.example->which != kClassFacts[c].which) continue;
+      if (!headed) text += fmt::format("{}\n", kClassFacts[c].name);
+      headed = true;
+      text += row_text(row);
+    }
+  }
+  return text;
+}
+
+std::string every_row_text(const Verdict& verdict) {
+  std::string text;
+  for (const Row& row : verdict.rows)
+    text += fmt::format("  {:<34} {}; {}\n", row.name, findings_of(row), row.page);
+  return text;
+}
+
+std::string environment_text(const Environment& e) {
+  return fmt::format("judged as numbers of {} bits; answers had up to {} bits, {}\n", e.bits, e.bits_seen,
+                     e.subnormals ? "subnormal numbers among them" : "no subnormal numbers among them");
+}
+
+}  // namespace
+
+std::string findings_of(const Row& row) {
+  std::string text = fmt::format("{} asked", row.asked());
+  for (std::size_t c = 0; c < kClasses; ++c) {
+    if (row.counts[c] > 0) text += fmt::format(", {} {}", row.counts[c], kClassFacts[c].name);
+  }
+  if (row.reference && *row.reference < row.asked())
+    text += fmt::format(" (the reference in these numbers: {} right or to rounding)", *row.reference);
+  return text;
+}
+
+std::string sentence(const Verdict& verdict) {
+  const std::string subject = printable(verdict.subject);
+  if (verdict.interrupted) return subject + ": interrupted, no verdict";
+  if (verdict.failed > 0) {
+    return fmt::format("{}: no verdict, since it failed {} times: {}", subject, verdict.failed,
+                       verdict.failures.empty() ? "" : verdict.failures.front());
+  }
+  if (verdict.asked() == 0) return subject + ": no verdict, since nothing was asked of it";
+  const auto failing = verdict.failing();
+  const auto passes = verdict.unexpected_passes();
+  const std::string by = fmt::format("by profile {}, {} questions", verdict.profile.name, verdict.asked());
+  if (failing.empty() && passes.empty()) {
+    const auto counts = verdict.counts();
+    const std::uint64_t fine = counts[0] + counts[1];
+    return fmt::format("{}: conforming {}; {} right or to rounding{}", subject, by, fine,
+                       fine == verdict.asked() ? "" : ", the rest is explained above");
+  }
+  std::vector<std::string> names;
+  for (const Row* row : failing) names.push_back(row->name);
+  constexpr std::size_t kShown = 6;
+  const std::size_t hidden = names.size() > kShown ? names.size() - kShown : 0;
+  names.resize(names.size() - hidden);
+  std::string text = fmt::format("{}: NOT conforming {}", subject, by);
+  if (!names.empty()) text += fmt::format("; wrong in {}", fmt::join(names, ", "));
+  if (hidden > 0) text += fmt::format(" and {} more", hidden);
+  if (!passes.empty()) text += fmt::format("; expected to fail but passes: {}", fmt::join(passes, ", "));
+  return text;
+}
+
+std::string report_text(const Verdict& verdict, bool every_row) {
+  std::string text = table(verdict);
+  if (every_row) text += every_row_text(verdict);
+  text += findings_text(verdict);
+  for (const std::string& failure : verdict.failures) text += "FAILED " + failure + "\n";
+  text += environment_text(verdict.environment);
+  if (!verdict.not_offered.empty())
+    text += fmt::format("not offered, so not asked: {}\n", fmt::join(verdict.not_offered, ", "));
+  for (const auto& [key, note] : verdict.notes) text += fmt::format("{}: {}\n", key, note);
+  return printable_lines(text) + sentence(verdict) + "\n";
+}
+
+int exit_code(const Verdict& verdict) {
+  if (verdict.interrupted) return 130;
+  if (verdict.failed > 0) return 4;
+  if (!verdict.failing().empty() || !verdict.unexpected_passes().empty()) return 1;
+  return verdict.asked() == 0 ? 5 : 0;
+}
+
+}  // namespace tps::properties::conform

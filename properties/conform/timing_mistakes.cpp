@@ -1,0 +1,108 @@
+// Mistakes in timing queries and orders.
+#include <algorithm>
+
+#include "properties/conform/mistakes.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+struct Quadratic {
+  double a, h, c, D;
+
+  explicit Quadratic(const Given& g) : Quadratic(g.r(), g.v(), g.number("L")) {}
+  Quadratic(const Vec& r, const Vec& v, double L)
+      : a(dot(v, v)), h(dot(r, v)), c(dot(r, r) - L * L), D(h * h - a * c) {}
+
+  bool has_roots() const { return a > 0 && D >= 0; }
+  double smaller() const { return (-h - std::sqrt(D)) / a; }
+  double larger() const { return (-h + std::sqrt(D)) / a; }
+  /// D1's literal rule.
+  std::optional<double> literal() const {
+    if (!has_roots() || larger() < 0) return std::nullopt;
+    return smaller() >= 0 ? smaller() : larger();
+  }
+};
+
+Mistaken at(std::optional<double> t) {
+  return {{{"t", t ? Vec{*t} : Vec{}}}};
+}
+
+using Times = std::function<std::optional<Mistaken>(const Quadratic&, const Given&)>;
+
+/// Of a query that has roots.
+Mistake with_roots(std::string name, std::vector<std::string> ops, Times answer) {
+  return {std::move(name), std::move(ops),
+          [answer = std::move(answer)](const Given& g) -> std::optional<Mistaken> {
+            const Quadratic q(g);
+            return q.has_roots() ? answer(q, g) : std::nullopt;
+          }};
+}
+
+std::optional<Mistaken> order_of(const Given& g, bool ties_come_first) {
+  std::optional<double> t[2];
+  for (const bool second : {false, true}) {
+    const Json& in = g.in().at(second ? "second" : "first");
+    const Quadratic q{Given(in)};
+    const bool block = in.at("kind") == "block";
+    if (!q.has_roots() || (block && q.h >= 0)) continue;
+    t[second ? 1 : 0] = std::max(0.0, block ? q.smaller() : q.larger());
+  }
+  if (!t[0] && !t[1]) return std::nullopt;
+  const bool tie = t[0] && t[1] && std::fabs(*t[0] - *t[1]) <= 1e-12 * std::fabs(*t[0]);
+  if (ties_come_first) return tie ? std::optional(Mistaken{{}, "before"}) : std::nullopt;
+  if (tie) return std::nullopt;
+  const bool first_is_before = t[0] && (!t[1] || *t[0] < *t[1]);
+  return Mistaken{{}, first_is_before ? "after" : "before"};
+}
+
+}  // namespace
+
+void add_timing_mistakes(std::vector<Mistake>& mistakes) {
+  const std::vector<std::string> both{"block_time", "tether_time"}, block{"block_time"},
+      tether{"tether_time"};
+  const auto plain = [&](std::string name, std::vector<std::string> ops, auto answer) {
+    mistakes.push_back(with_roots(std::move(name), std::move(ops), answer));
+  };
+  plain("the larger root", block, [](const Quadratic& q, const Given&) { return at(q.larger()); });
+  plain("the smaller root", tether, [](const Quadratic& q, const Given&) { return at(q.smaller()); });
+  mistakes.push_back({"the smaller non-negative root without a test for approach, as printed (D1)", both,
+                      [](const Given& g) { return std::optional(at(Quadratic(g).literal())); }});
+  plain("twice the time: the quadratic divided by a instead of 2a", both,
+        [](const Quadratic& q, const Given& g) {
+          const bool is_block = q.h < 0 && q.c > 0 && q.smaller() > 0;
+          static_cast<void>(g);
+          return at(2 * (is_block ? q.smaller() : q.larger()));
+        });
+  mistakes.push_back(
+      {"L taken as it is instead of squared", both, [](const Given& g) -> std::optional<Mistaken> {
+         const Quadratic q(g.r(), g.v(), std::sqrt(g.number("L")));
+         return q.has_roots() ? std::optional(at(q.c > 0 ? q.smaller() : q.larger())) : std::nullopt;
+       }});
+  mistakes.push_back(
+      {"L doubled, as if it were a radius", both, [](const Given& g) -> std::optional<Mistaken> {
+         const Quadratic q(g.r(), g.v(), 2 * g.number("L"));
+         return q.has_roots() ? std::optional(at(q.c > 0 ? q.smaller() : q.larger())) : std::nullopt;
+       }});
+  mistakes.push_back(
+      {"the relative velocity with the wrong sign", both, [](const Given& g) -> std::optional<Mistaken> {
+         const Quadratic q(g.r(), -1.0 * g.v(), g.number("L"));
+         if (!q.has_roots()) return std::nullopt;
+         return at(q.h < 0 && q.c > 0 ? q.smaller() : q.larger());
+       }});
+  plain("the time of closest approach", both,
+        [](const Quadratic& q, const Given&) { return at(-q.h / q.a); });
+  plain("a time before now", both, [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
+    return q.smaller() < 0 ? std::optional(at(q.smaller())) : std::nullopt;
+  });
+  plain("no event for a pair that is at its limit or beyond it", both,
+        [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
+          const double beyond = 1e-9 * (std::fabs(q.c) + 1);
+          return std::fabs(q.c) <= beyond || (q.h < 0) == (q.c < 0) ? std::optional(at(std::nullopt))
+                                                                    : std::nullopt;
+        });
+  mistakes.push_back(
+      {"first and second exchanged", {"order"}, [](const Given& g) { return order_of(g, false); }});
+  mistakes.push_back({"a tie called before", {"order"}, [](const Given& g) { return order_of(g, true); }});
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,95 @@
+#include "properties/conform/verdict.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace tps::properties::conform {
+
+std::uint64_t Row::asked() const {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void Row::add(const Grade& grade, Example shown) {
+  ++counts[index_of(grade.which)];
+  // Of answers that hold to rounding the worst is told, of others the first.
+  if (grade.which <= Class::rounding) {
+    // By what the condition of the question does not explain.
+    if (grade.units * std::max(worst_cond, 1.0) > worst_units * std::max(grade.cond, 1.0)) {
+      worst_units = grade.units;
+      worst_cond = grade.cond;
+    }
+    return;
+  }
+  if (example_is_kept(grade.which)) return;
+  shown.which = grade.which;
+  shown.units = grade.units;
+  shown.cond = grade.cond;
+  if (shown.why.empty()) shown.why = grade.why;
+  example = std::move(shown);
+}
+
+bool Row::example_is_kept(Class other) const {
+  return example && example->which >= other;
+}
+
+bool Profile::accepts(const Row& row) const {
+  for (std::size_t c = 0; c < kClasses; ++c) {
+    if (fails[c] && row.counts[c] > 0) return false;
+  }
+  return true;
+}
+
+void Verdict::note_failure(const std::string& at, const std::string& reason) {
+  constexpr std::size_t kShown = 5;
+  ++failed;
+  if (failures.size() < kShown) failures.push_back(at + ": " + reason);
+}
+
+std::array<std::uint64_t, kClasses> Verdict::counts() const {
+  std::array<std::uint64_t, kClasses> sums{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < kClasses; ++c) sums[c] += row.counts[c];
+  }
+  return sums;
+}
+
+std::uint64_t Verdict::asked() const {
+  const auto sums = counts();
+  return std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
+}
+
+bool Verdict::expected_to_fail(const Row& row) const {
+  return std::any_of(expected_failures.begin(), expected_failures.end(), [&](const std::string& pattern) {
+    return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0;
+  });
+}
+
+std::vector<const Row*> Verdict::failing() const {
+  std::vector<const Row*> found;
+  for (const Row& row : rows) {
+    if (!profile.accepts(row) && !expected_to_fail(row)) found.push_back(&row);
+  }
+  return found;
+}
+
+std::vector<std::string> Verdict::unexpected_passes() const {
+  std::vector<std::string> found;
+  for (const std::string& pattern : expected_failures) {
+    const bool fails = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+      return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0 && !profile.accepts(row);
+    });
+    if (!fails) found.push_back(pattern);
+  }
+  return found;
+}
+
+std::string Verdict::best_hypothesis(const Row& row) {
+  const auto most = std::max_element(row.hypotheses.begin(), row.hypotheses.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == row.hypotheses.end()) return {};
+  return 2 * most->second >= row.of_class(Class::wrong) ? most->first : std::string();
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,90 @@
+// What was asked of an implementation and what became of it: a table with a row for each operation and
+// hazard.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/conform/grade.hpp"
+
+namespace tps::properties::conform {
+
+/// A case that shows what a class means here.
+struct Example {
+  Class which = Class::right;
+  std::string id;                     ///< of the known answer, or the law and its case
+  std::string why;                    ///< what was found, what is right
+  std::vector<std::string> commands;  ///< that show the right answer
+  std::string in;                     ///< the question as JSON; empty for a run
+  double units = 0, cond = 0;
+};
+
+struct Row {
+  std::string area;    ///< equations, timing, order, response, grouping, engine, whole runs
+  std::string name;    ///< "block_time.graze", the id of a law, "run.revolve"
+  std::string of;      ///< the operation, "laws of (2)", "runs"
+  std::string hazard;  ///< the stratum, the law's number, the feature
+  std::string page;
+  std::array<std::uint64_t, kClasses> counts{};
+  std::optional<std::uint64_t> reference =
+      {};  ///< how many the reference in the same numbers has right or to rounding
+  double worst_units = 0, worst_cond = 0;
+  std::optional<Example> example =
+      {};  ///< of the worst class above NOT BITWISE, the first; else of NOT BITWISE
+  std::map<std::string, std::uint64_t> hypotheses = {};  ///< what explains how many of the wrong answers
+
+  std::uint64_t asked() const;
+  std::uint64_t of_class(Class c) const { return counts[index_of(c)]; }
+  /// Adds one grade; `shown` becomes the example where it is the first of a class worse than those before.
+  void add(const Grade& grade, Example shown);
+
+ private:
+  bool example_is_kept(Class other) const;
+};
+
+/// Which classes fail, by profile.
+struct Profile {
+  std::string name;
+  std::array<bool, kClasses> fails{};
+  std::optional<int> bits;  ///< the format it demands
+
+  bool accepts(const Row& row) const;
+};
+
+/// What is known of the numbers that came back.
+struct Environment {
+  int bits = 53;            ///< that answers are judged by
+  int bits_seen = 0;        ///< the most significant bits of any number of an answer
+  bool subnormals = false;  ///< a subnormal number was seen in an answer
+};
+
+struct Verdict {
+  std::string subject, data;
+  Profile profile;
+  Environment environment;
+  std::vector<Row> rows;
+  std::vector<std::string> not_offered;
+  std::vector<std::string> failures;  ///< crashes, hangs, breaches of the protocol, in words; the first few
+  std::uint64_t failed = 0;           ///< all of them
+  bool interrupted = false;
+  std::vector<std::string> expected_failures;  ///< names of rows that may fail, and must
+  std::map<std::string, std::string> notes;    ///< in order of their keys: what is to be known besides
+
+  /// A crash, a hang, a breach of the protocol.
+  void note_failure(const std::string& at, const std::string& reason);
+
+  std::uint64_t asked() const;
+  std::array<std::uint64_t, kClasses> counts() const;
+  bool expected_to_fail(const Row& row) const;
+  /// Rows that fail and may not, and rows that may and do not.
+  std::vector<const Row*> failing() const;
+  std::vector<std::string> unexpected_passes() const;
+  /// The explanation of most of the wrong answers, where one explains half of them.
+  static std::string best_hypothesis(const Row& row);
+};
+
+}  // namespace tps::properties::conform
