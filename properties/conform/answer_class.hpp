@@ -31,7 +31,7 @@ struct ClassFacts {
 constexpr std::array<ClassFacts, kClasses> kClassFacts{{
     {Class::right, "RIGHT", "right"},
     {Class::rounding, "ROUNDING", "rounding"},
-    {Class::not_bitwise, "NOT BITWISE", "not bitw."},
+    {Class::not_bitwise, "NOT BITWISE", "bitwise"},
     {Class::other_reading, "OTHER READING", "reading"},
     {Class::beyond, "BEYOND ITS PRECISION", "beyond"},
     {Class::worse, "WORSE THAN STABLE", "worse"},

@@ -1,11 +1,13 @@
 // tps conform
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <fstream>
 #include <memory>
 #include <optional>
 
+#include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/profile.hpp"
 #include "properties/conform/report.hpp"
@@ -43,7 +45,7 @@ struct ConformArguments {
   int level = 2, bits = 0;
   std::uint64_t law_cases = 0, seed = 20260101;
   double timeout = 5, shrink_seconds = 2, total = 0;
-  bool quiet = false, all = false;
+  bool quiet = false, all = false, hypotheses = false;
 };
 
 std::unique_ptr<Implementation> subject_of(const ConformArguments& a, const Profile& profile) {
@@ -124,6 +126,10 @@ void ask(Implementation& subject, const conform::Plan& plan, Verdict& verdict) {
 }
 
 int run_conform(const ConformArguments& a) {
+  if (a.hypotheses) {
+    write_result("-", fmt::format("{}\n", fmt::join(hypothesis_names(), "\n")));
+    return kDone;
+  }
   NamedFiles()
       .reads("--library", a.library)
       .reads("--expect-fail", a.expected)
@@ -161,10 +167,11 @@ void add_conform(CLI::App& app, int& exit_code) {
   verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
   verb->add_option("--scalar", a->scalar, "The reference itself, in this scalar")
       ->check(CLI::IsMember(reference_names()));
-  verb->add_option("--ops", a->ops, "Only these operations")->delimiter(',');
+  verb->add_option("--ops", a->ops, "Only these operations")->delimiter(',')->allow_extra_args(false);
   verb->add_option("--tags", a->strata,
                    "Only known answers of these strata (block_time.graze, *.far), and no laws")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--level", a->level, "1 ten known answers a stratum, 2 those of data/vectors")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
@@ -191,6 +198,7 @@ void add_conform(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"text", "json", "junit", "markdown", "svg"}))
       ->capture_default_str();
   verb->add_flag("--all", a->all, "Every row, not only those with something to tell");
+  verb->add_flag("--hypotheses", a->hypotheses, "Lists the mistakes that wrong answers are compared with");
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kConformFooter);
   verb->callback([=, &exit_code] { exit_code = run_conform(*a); });

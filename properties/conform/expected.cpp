@@ -104,13 +104,13 @@ void compare_numbers(const ExpectedNumbers& expected, const Json& given, const F
     comparison.units = units;
     comparison.cond = expected.cond.value_or(0);
   }
-  if (miss == 0 || units <= allowed) return;
-  comparison.within = false;
-  if (comparison.problem.empty()) {
-    comparison.problem = fmt::format("{} is {}; right is {}, {:.3g} units of its size away", expected.key,
-                                     spelt((*found)[first.value_or(0)]),
-                                     spelt(expected.ends[first.value_or(0)].nearest), units);
-  }
+  const bool within = miss == 0 || units <= allowed;
+  comparison.within = comparison.within && within;
+  if (!first || (!comparison.problem.empty() && (within || !comparison.is_minor))) return;
+  comparison.is_minor = within;
+  comparison.problem = fmt::format("{} is {}; right is {}", expected.key, spelt((*found)[*first]),
+                                   spelt(expected.ends[*first].nearest));
+  if (size > 0 && miss > 0) comparison.problem += fmt::format(", {:.3g} units of its size away", units);
 }
 
 void compare_time(const Expected& expected, const Json& out, const Format& format, double k,
@@ -119,10 +119,13 @@ void compare_time(const Expected& expected, const Json& out, const Format& forma
   if (expected.occurs != !t.is_null()) {
     comparison.words = comparison.within = comparison.nearest = false;
     if (!comparison.problem.empty()) return;
+    comparison.is_minor = false;
+    const auto given = numbers_of(t);
     comparison.problem =
         expected.occurs ? fmt::format("no event; right is {} at t = {}", tps::shown(expected.words[0].word),
                                       spelt(expected.numbers[0].ends[0].nearest))
-                        : fmt::format("an event at t = {}; right is none, {}", tps::shown(t),
+                        : fmt::format("an event at t = {}; right is none, {}",
+                                      given && given->size() == 1 ? spelt(given->front()) : tps::shown(t),
                                       tps::shown(expected.words[0].word));
   }
   for (const ExpectedNumbers& numbers : expected.numbers) {
@@ -173,7 +176,7 @@ Comparison compare(const Expected& expected, const Question& question, Json out,
     if (is_timing && !out.contains(each.key) && out.contains("t")) continue;  // a time alone is judged, too
     const Json found = out.value(each.key, Json());
     if (found == each.word) continue;
-    comparison.words = false;
+    comparison.words = comparison.is_minor = false;
     if (comparison.problem.empty()) {
       comparison.problem =
           fmt::format("{} is {}; right is {}", each.key, tps::shown(found), tps::shown(each.word));

@@ -41,13 +41,14 @@ std::optional<std::vector<double>> numbers_of(const Json& value);
 
 /// How an answer compares.
 struct Comparison {
-  bool words = true;    ///< as expected
-  bool nearest = true;  ///< every number is the correctly rounded one of the format
-  bool within = true;   ///< every result is within K(k) of docs/vectors.md, in the format's unit
-  bool numbers = true;  ///< every result is there and consists of numbers
-  double units = 0;     ///< the largest error of a result, in units 2^-bits of its size
-  double cond = 0;      ///< of that result
-  std::string problem;  ///< the first thing that is not as expected, in words
+  bool words = true;     ///< as expected
+  bool nearest = true;   ///< every number is the correctly rounded one of the format
+  bool within = true;    ///< every result is within K(k) of docs/vectors.md, in the format's unit
+  bool numbers = true;   ///< every result is there and consists of numbers
+  double units = 0;      ///< the largest error of a result, in units 2^-bits of its size
+  double cond = 0;       ///< of that result
+  std::string problem;   ///< the first thing that is not as expected, in words
+  bool is_minor = true;  ///< it is a number within K(k)
 };
 
 /// REQUIRES an object. `k` is the factor of the class K(k) that the case accepts.

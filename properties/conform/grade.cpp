@@ -15,7 +15,7 @@
 namespace tps::properties::conform {
 namespace {
 
-constexpr const char* kAsPrinted = "as b² − 4ac as printed does, where the stable formula keeps these digits";
+constexpr const char* kAsPrinted = "as the printed b² − 4ac does; the stable formula keeps these digits";
 constexpr const char* kOutOfRange =
     "products of the question's numbers leave the range; scale by powers of two first";
 
@@ -140,7 +140,13 @@ Grade graded(const KnownQuestion& known, const Json& out, const Format& format, 
     first = false;
   }
   if (best.words && best.nearest) return with(Class::right, best);
-  if (best.words && best.within) return with(Class::rounding, best);
+  if (best.words && best.within) {
+    // K(k) knows the coefficients of the quadratic; the landing knows the formula, too.
+    const bool is_worse =
+        is_timing(known.question) && margin_of(timing_query(known.question.op, known.question.in),
+                                               time_answer(out), format.bits) == Margin::printed;
+    return is_worse ? with(Class::worse, best, kAsPrinted) : with(Class::rounding, best);
+  }
   Grade found = is_timing(known.question)      ? graded_time(known.question, out, best, format)
                 : known.question.op == "order" ? graded_order(known.question, best, format)
                                                : graded_response(known, out, best, format, stable, k);

@@ -80,7 +80,7 @@ std::optional<std::string> written_short(const std::vector<std::pair<double, dou
         (fixed ? fmt::format("{:.{}f}", x, digits) : fmt::format("{:.{}e}", x, digits - 1)).c_str(), nullptr);
   };
   for (const bool fixed : {false, true}) {
-    for (int digits = 3; digits <= 16; ++digits) {
+    for (int digits = 16; digits >= 3; --digits) {  // the most that fit: 0.5 has one of six decimals
       bool all = true, tells = false;
       for (const auto& [found, right] : pairs) {
         // The digits of a computed number, which may be a unit in the last place from the right one.
@@ -126,8 +126,11 @@ std::vector<std::string> hypotheses_fitting(const KnownQuestion& known, const Js
   }
   const auto pairs = side_by_side(out, right);
   if (pairs.empty()) return fitting;
-  if (const auto digits = written_short(pairs)) fitting.push_back(*digits);
-  if (single_precision(pairs, right)) fitting.push_back(kSinglePrecision);
+  if (const auto digits = written_short(pairs)) {
+    fitting.push_back(*digits);
+  } else if (single_precision(pairs, right)) {
+    fitting.push_back(kSinglePrecision);
+  }
   return fitting;
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ Json row_json(const Verdict& verdict, const Row& row) {
   if (row.reference) json["reference"] = *row.reference;
   if (row.worst_units > 0) json["worst"] = {{"units", row.worst_units}, {"cond", row.worst_cond}};
   if (!row.hypotheses.empty()) json["hypotheses"] = row.hypotheses;
-  if (const std::string best = Verdict::best_hypothesis(row); !best.empty()) json["equals"] = best;
+  if (const auto best = Verdict::best_hypotheses(row); !best.empty()) json["equals"] = best;
   if (row.example) {
     const Example& e = *row.example;
     json["example"] = {{"class", name(e.which)}, {"id", e.id}, {"why", e.why}, {"commands", e.commands}};
@@ -132,7 +133,7 @@ std::string report_markdown(const Verdict& verdict) {
   std::string rows;
   for (const Row& row : verdict.rows) {
     if (verdict.profile.accepts(row)) continue;
-    const std::string best = Verdict::best_hypothesis(row);
+    const std::string best = fmt::format("{}", fmt::join(Verdict::best_hypotheses(row), "; or "));
     rows += fmt::format("| {} | {} | {} | {} |\n", cell(row.name), cell(findings_of(row)), cell(best),
                         row.example ? cell(row.example->why) : "");
   }

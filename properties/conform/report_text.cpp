@@ -48,21 +48,21 @@ std::string number_or_dot(std::uint64_t n) {
 }
 
 std::string table(const Verdict& verdict) {
-  std::string text = fmt::format("{:<12}{:<21}{:>6}", "", "", "asked");
-  for (const ClassFacts& facts : kClassFacts) text += fmt::format("{:>10}", facts.brief);
-  text += fmt::format("{:>11}  {:<20} {}\n", "reference", "worst, cond", "page");
+  std::string text = fmt::format("{:<11}{:<20}{:>6}", "", "", "asked");
+  for (const ClassFacts& facts : kClassFacts) text += fmt::format("{:>9}", facts.brief);
+  text += fmt::format("{:>10}  {:<17} {}\n", "reference", "worst, cond", "page");
   std::string area;
   for (const Line& line : lines_of(verdict)) {
-    text += fmt::format("{:<12}{:<21}", line.area == area ? "" : line.area, line.of);
+    text += fmt::format("{:<11}{:<20}", line.area == area ? "" : line.area, line.of);
     area = line.area;
     std::uint64_t asked = 0;
     for (const std::uint64_t n : line.counts) asked += n;
     text += fmt::format("{:>6}", asked);
-    for (const std::uint64_t n : line.counts) text += fmt::format("{:>10}", number_or_dot(n));
+    for (const std::uint64_t n : line.counts) text += fmt::format("{:>9}", number_or_dot(n));
     const bool scored = line.reference && line.of != "laws" && line.area != "whole runs";
-    text += fmt::format("{:>11}", scored ? number_or_dot(*line.reference) : "");
+    text += fmt::format("{:>10}", scored ? number_or_dot(*line.reference) : "");
     const std::string worst = line.units > 0 ? fmt::format("{:.3g}, {:.2g}", line.units, line.cond) : "";
-    text += line.of == "laws" ? "\n" : fmt::format("  {:<20} {}\n", worst, line.page);
+    text += line.of == "laws" ? "\n" : fmt::format("  {:<17} {}\n", worst, line.page);
   }
   return text;
 }
@@ -76,9 +76,9 @@ std::string example_text(const Row& row) {
 
 std::string row_text(const Row& row) {
   std::string text = fmt::format("  {:<34} {}; {}\n", row.name, findings_of(row), row.page);
-  if (const std::string best = Verdict::best_hypothesis(row); !best.empty())
-    text += fmt::format("    your answer equals: {} ({} of {})\n", best, row.hypotheses.at(best),
-                        row.of_class(Class::wrong));
+  if (const auto best = Verdict::best_hypotheses(row); !best.empty())
+    text += fmt::format("    your answer equals: {} ({} of {})\n", fmt::join(best, "; or "),
+                        row.hypotheses.at(best.front()), row.of_class(Class::wrong));
   return row.example && row.example->which >= Class::worse ? text + example_text(row) : text;
 }
 

@@ -85,11 +85,14 @@ std::vector<std::string> Verdict::unexpected_passes() const {
   return found;
 }
 
-std::string Verdict::best_hypothesis(const Row& row) {
-  const auto most = std::max_element(row.hypotheses.begin(), row.hypotheses.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most == row.hypotheses.end()) return {};
-  return 2 * most->second >= row.of_class(Class::wrong) ? most->first : std::string();
+std::vector<std::string> Verdict::best_hypotheses(const Row& row) {
+  std::uint64_t most = 0;
+  for (const auto& [name, count] : row.hypotheses) most = std::max(most, count);
+  std::vector<std::string> best;
+  for (const auto& [name, count] : row.hypotheses) {
+    if (count == most && 2 * most >= row.of_class(Class::wrong)) best.push_back(name);
+  }
+  return best;
 }
 
 }  // namespace tps::properties::conform

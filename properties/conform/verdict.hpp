@@ -83,8 +83,8 @@ struct Verdict {
   /// Rows that fail and may not, and rows that may and do not.
   std::vector<const Row*> failing() const;
   std::vector<std::string> unexpected_passes() const;
-  /// The explanation of most of the wrong answers, where one explains half of them.
-  static std::string best_hypothesis(const Row& row);
+  /// What explains most of the wrong answers, half of them at least; several where they explain as many.
+  static std::vector<std::string> best_hypotheses(const Row& row);
 };
 
 }  // namespace tps::properties::conform

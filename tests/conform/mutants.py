@@ -1,0 +1,117 @@
+"""Wrong adapters, one switch each: a text of data/adapters/python that is replaced, and what `tps conform` has to say of it.
+
+Mutant(name, file, old, new, op, hypothesis): the rows of `op` must be WRONG, and where a hypothesis is named it must be the one that
+is printed for one of them. `only` says that no other operation may have a wrong answer.
+"""
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Mutant:
+    name: str
+    file: str
+    old: str
+    new: str
+    op: str
+    equals: str = ""
+    kind: str = "WRONG"
+
+    def asked(self):
+        """Both timing queries, since their laws ask both."""
+        return "block_time,tether_time" if self.op in ("block_time", "tether_time") else self.op
+
+
+T, R, G, P = "timing.py", "responses.py", "groups.py", "protocol.py"
+HIT = '"t": c / (-h + math.sqrt(D))}'
+PULL = '"t": -c / (h + math.sqrt(D)) if h > 0 else (-h + math.sqrt(D)) / a}'
+ROOT = "c = (distance - L) * (distance + L)"
+VELOCITY = "r, v = minus(u_B, u_A), minus(v_B, v_A)\n    a, h"
+REVOLVED = "speed = c_revolve ** (theta_revolve_deg / 180) * math.sqrt(dot(v, v))"
+DECIDES = "if across == 0 or abs(c_retract * v_n) > slope(theta_revolve_deg) * across:"
+FLOAT32 = "single = lambda xs: [struct.unpack('f', struct.pack('f', x))[0] for x in xs]"
+
+WRONG = [
+    Mutant("larger_root", T, HIT, '"t": (-h + math.sqrt(D)) / a}', "block_time", "the larger root"),
+    Mutant("smaller_root", T, PULL, '"t": (-h - math.sqrt(D)) / a}', "tether_time", "the smaller root"),
+    Mutant("no_approach_test", T, "if a == 0 or h >= 0:", "if a == 0:", "block_time"),
+    Mutant("divided_by_a", T, HIT, '"t": 2 * c / (-h + math.sqrt(D))}', "block_time", "twice the time: the quadratic divided by a instead of 2a"),
+    Mutant("limit_not_squared", T, ROOT, "c = distance * distance - L; L = math.sqrt(L)", "block_time", "L taken as it is instead of squared"),
+    Mutant("limit_as_radius", T, ROOT, "L = 2 * L; " + ROOT, "block_time", "L doubled, as if it were a radius"),
+    Mutant("velocity_reversed", T, VELOCITY, VELOCITY.replace("minus(v_B, v_A)", "minus(v_A, v_B)"), "block_time",
+           "the relative velocity with the wrong sign"),
+    Mutant("closest_approach", T, HIT, '"t": -h / a}', "block_time", "the time of closest approach"),
+    Mutant("overlap_ignored", T, '{"verdict": "overlap" if c < 0 else "contact", "t": 0}', '{"verdict": "miss", "t": None}', "block_time",
+           "no event for a pair that is at its limit or beyond it"),
+    Mutant("overstretched_lost", T, '{"verdict": "overstretched" if c > 0 else "taut", "t": 0}', '{"verdict": "static", "t": None}', "tether_time",
+           "no event for a pair that is at its limit or beyond it"),
+    Mutant("turning_lost", T, '"turning", "t": -h / a', '"static", "t": None', "tether_time"),
+    Mutant("nan_on_static", T, '"static" if a == 0 else "receding", "t": None', '"static" if a == 0 else "receding", "t": math.nan if a == 0 else None',
+           "block_time"),
+    Mutant("late_by_1e-13", T, HIT, '"t": c / (-h + math.sqrt(D)) * (1 + 1e-13)}', "block_time"),
+    Mutant("threshold_on_velocity", T, "if a == 0 or h >= 0:", "if a < 1e-12 or h >= 0:", "block_time"),
+    Mutant("single_precision_inside", T, "a, h, distance = dot(v, v)", "import struct; " + FLOAT32 + "; r, v = single(r), single(v)\n    a, h, distance = dot(v, v)",
+           "block_time", "float32 inside"),
+    Mutant("ten_digits", P, "return value.hex() if", 'return float(f"{value:.9e}").hex() if', "block_time", "written with 10 digits"),
+    Mutant("six_decimals", P, "return value.hex() if", 'return float(f"{value:.6f}").hex() if', "load", "written with 6 decimals"),
+    Mutant("half_refused", P, "try:\n        out", 'if request["seq"] % 2:\n        return {"error": "tired"}\n    try:\n        out', "load", kind="REFUSED"),
+    Mutant("half_skipped", P, "if operation is None:", 'if operation is None or request["seq"] % 2:', "load", kind="REFUSED"),
+    Mutant("order_reversed", T, '"before" if one < other', '"before" if one > other', "order"),
+    Mutant("ties_before", T, '"before" if one < other', '"before" if one <= other and one < math.inf', "order"),
+    Mutant("same_way", R, "[v - p / m_B", "[v + p / m_B", "apply_impulse", "both particles pushed the same way"),
+    Mutant("pushed_apart_wrongly", R, "[v + p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v - p", "[v - p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v + p",
+           "apply_impulse", "A and B swapped"),
+    Mutant("half_each", R, "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n", "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n    dp = [p / 2 for p in dp]\n",
+           "apply_impulse", "half of Δp for each"),
+    Mutant("masses_swapped", R, "v + p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v - p / m_B", "v + p / m_B for v, p in zip(v_A, dp)], \"v_B\": [v - p / m_A",
+           "apply_impulse", "m_A and m_B swapped"),
+    Mutant("not_divided", R, "v + p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v - p / m_B", "v + p for v, p in zip(v_A, dp)], \"v_B\": [v - p",
+           "apply_impulse", "Δp not divided by the mass"),
+    Mutant("infinite_mass_moves", R, "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n", "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n    m_A = min(m_A, 1e6)\n",
+           "apply_impulse"),
+    Mutant("half_rebound", R, "(1 + c) * reduced", "c * reduced", "collision_impulse", "c instead of 1 + c"),
+    Mutant("one_minus_c", R, "(1 + c) * reduced", "(1 - c) * reduced", "collision_impulse", "1 − c instead of 1 + c"),
+    Mutant("elastic", R, "(1 + c) * reduced", "2 * reduced", "collision_impulse", "c taken as 1"),
+    Mutant("impulse_off_by_1e-12", R, "(1 + c) * reduced", "(1 + 1e-12) * (1 + c) * reduced", "collision_impulse"),
+    Mutant("axis_swapped", R, "(1 + c) * reduced", "-(1 + c) * reduced", "collision_impulse", "A and B swapped"),
+    Mutant("no_unit_vector", R, "n = [x / distance for x in r]", "n = r", "collision_impulse", "the axis not a unit vector"),
+    Mutant("whole_velocity", R, "n, _, v_n, _ = frame(**pair)\n    return {\"dp\": [(1 + c) * reduced_mass(m_A, m_B) * (v_n * x)",
+           "_, n, v_n, _ = frame(**pair)\n    return {\"dp\": [(1 + c) * reduced_mass(m_A, m_B) * x",
+           "collision_impulse", "the whole relative velocity instead of its normal part"),
+    Mutant("sum_of_masses", R, "return 1 / (1 / m_A + 1 / m_B)", "return m_A + m_B", "collision_impulse", "m_A + m_B instead of the reduced mass"),
+    Mutant("one_mass", R, "return 1 / (1 / m_A + 1 / m_B)", "return m_A", "collision_impulse", "m_A instead of the reduced mass"),
+    Mutant("product_as_printed", R, REVOLVED, REVOLVED.replace("c_revolve ** (theta_revolve_deg / 180)", "c_revolve * theta_revolve_deg / 180"),
+           "revolution_impulse", "the product c·θ/π as printed instead of the power (D4)"),
+    Mutant("degrees_as_radians", R, "math.tan(math.radians(degrees)) if degrees <= 45 else 1 / math.tan(math.radians(90 - degrees))", "math.tan(degrees)",
+           "revolution_impulse", "tan of θ taken as radians"),
+    Mutant("outward", R, "x - inward * y", "x + inward * y", "revolution_impulse", "outward instead of inward"),
+    Mutant("every_collision", R, "(theta_revolve_deg / 180)", "1.0", "revolution_impulse", "c_revolve for every collision instead of a revolution"),
+    Mutant("two_pi", R, "(theta_revolve_deg / 180)", "(theta_revolve_deg / 360)", "revolution_impulse", "c_revolve to the power θ/2π"),
+    Mutant("always_retracts", R, DECIDES, "if True:", "tether_response", "retracts where it has to revolve"),
+    Mutant("always_revolves", R, DECIDES, "if across == 0:", "tether_response", "revolves where retraction suffices"),
+    Mutant("threshold_without_c", R, "abs(c_retract * v_n) >", "abs(v_n) >", "tether_response", "retracts where it has to revolve"),
+    Mutant("other_coefficient", R, '"retract", collision_impulse(m_A, m_B, c_retract', '"retract", collision_impulse(m_A, m_B, c_revolve',
+           "tether_response", "c_revolve instead of c_retract"),
+    Mutant("mean_velocity", R, "1 / (1 + m_B / m_A) * a + 1 / (1 + m_A / m_B) * b", "(a + b) / 2", "load", "the mean of both velocities"),
+    Mutant("weights_swapped", R, "* a + 1 / (1 + m_A / m_B) * b", "* b + 1 / (1 + m_A / m_B) * a", "load", "the weights swapped"),
+    Mutant("no_subtraction", R, "p - reduced_mass(m_A, m_B) * v for p, v", "p for p, v", "restitution_impulse", "(7) without its subtraction"),
+    Mutant("added", R, "p - reduced_mass(m_A, m_B) * v for p, v", "p + reduced_mass(m_A, m_B) * v for p, v", "restitution_impulse",
+           "added instead of subtracted"),
+    Mutant("mass_of_one", G, "m[k], v[k], members[k] = mass, joint, both", "v[k], members[k] = joint, both", "group",
+           "the mass of one particle instead of its group's"),
+    Mutant("group_without_subtraction", G, 'dp=dp, **masses)["dp_AB"]))', 'dp=dp, **masses)["dp_AB"] and dp))', "group", "(7) without its subtraction"),
+    Mutant("group_stays_behind", G, "for k in both:\n            m[k], v[k], members[k] = mass, joint, both",
+           "for k in both:\n            m[k], members[k] = mass, both\n        v[i] = v[j] = joint", "group",
+           "only the two particles take the common velocity, not their groups"),
+]
+
+# Right, but not the same bits.
+RIGHT = [
+    Mutant("squares", T, "distance = dot(v, v), dot(r, v), math.sqrt(dot(r, r))", "distance = sum(x ** 2 for x in v), dot(r, v), math.hypot(*r)", "block_time"),
+    Mutant("inverse_masses", R, "p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v - p / m_B", "p * (1 / m_A) for v, p in zip(v_A, dp)], \"v_B\": [v - p * (1 / m_B)",
+           "apply_impulse"),
+    Mutant("times_alone", T, '"verdict": "hit", "t": c /', '"t": c /', "block_time"),
+    Mutant("strict_or_not", R, "abs(c_retract * v_n) >", "abs(c_retract * v_n) >=", "tether_response"),
+    Mutant("tan_as_it_is", R, "math.tan(math.radians(degrees)) if degrees <= 45 else 1 / math.tan(math.radians(90 - degrees))", "math.tan(math.radians(degrees))",
+           "tether_response"),
+    Mutant("unwound_forward", G, "in reversed(nodes)", "in nodes", "group"),
+]

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Verdicts of `tps conform`: exit codes, profiles, expected failures, reports, programs that break the protocol.
+
+  verdicts_test.py TPS SOURCE LIBRARY…
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+TPS, SOURCE, *LIBRARIES = sys.argv[1:]
+ADAPTERS = pathlib.Path(SOURCE) / "data/adapters/python"
+BROKEN = pathlib.Path(SOURCE) / "tests/properties/implementation.py"
+
+
+def adapter(name):
+    return ["--", sys.executable, "-B", str(ADAPTERS / f"{name}.py")]
+
+
+def conform(*words):
+    done = subprocess.run([TPS, "conform", "--quiet", "--level", "1", "--cases", "5", "--shrink-seconds", "0.1", *words],
+                          capture_output=True, timeout=60)
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+def report(*words):
+    code, out, _ = conform("--format", "json", *words)
+    return code, json.loads(out)
+
+
+class Profiles(unittest.TestCase):
+    def test_the_printed_formula_passes_but_not_as_stable(self):
+        code, found = report(*adapter("by_approach"))
+        self.assertEqual((code, found["classes"]["WRONG"]), (0, 0))
+        self.assertGreater(found["classes"]["WORSE THAN STABLE"], 20)
+        code, found = report("--profile", "double-stable", *adapter("by_approach"))
+        self.assertEqual((code, found["verdict"]), (1, "not conforming"))
+
+    def test_certified_answers_pass_every_profile(self):
+        for profile in ("certified", "double-stable", "double-paper"):
+            code, out, _ = conform("--profile", profile, "--ops", "block_time,load,order,group", "--", TPS, "serve")
+            self.assertEqual(code, 0, out)
+
+    def test_doubles_are_not_certified(self):
+        self.assertEqual(conform("--profile", "certified", "--ops", "load", *adapter("scalar"))[0], 1)
+
+    def test_the_reference_in_each_scalar_passes(self):
+        for scalar in ("float", "double", "long-double"):
+            code, out, _ = conform("--scalar", scalar)
+            self.assertEqual(code, 0, out)
+
+    def test_float_is_judged_as_float_and_not_as_double(self):
+        words = ("--ops", "block_time,collision_impulse", "--scalar", "float")
+        self.assertEqual(conform(*words)[0], 0)
+        with tempfile.TemporaryDirectory() as folder:
+            source = ADAPTERS / "timing.py"
+            for name in ("protocol.py", "timing.py"):
+                (pathlib.Path(folder) / name).write_text((ADAPTERS / name).read_text())
+            wrong = source.read_text().replace('"t": c / (-h', '"t": (1 + 2**-22) * c / (-h')
+            (pathlib.Path(folder) / "timing.py").write_text(wrong)
+            mine = ["--ops", "block_time", "--", sys.executable, "-B", f"{folder}/timing.py"]
+            self.assertEqual(conform(*mine)[0], 1)
+            self.assertEqual(conform("--profile", "float", *mine)[0], 0)
+
+    def test_a_profile_of_ones_own(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            file.write('{"conform_profile":1,"name":"mine","fails":["WORSE THAN STABLE"]}')
+            file.flush()
+            code, found = report("--profile", file.name, "--tags", "block_time.far", *adapter("by_approach"))
+            self.assertEqual((code, found["profile"]["name"]), (1, "mine"))
+            file.seek(0)
+            file.write('{"conform_profile":1,"name":"mine","fails":["WORSE THAN STABLY"]}')
+            file.flush()
+            code, _, err = conform("--profile", file.name, *adapter("by_approach"))
+            self.assertEqual(code, 3)
+            self.assertIn("WORSE THAN STABLY", err)
+            self.assertIn("/fails/0", err)
+
+    def test_libraries_pass(self):
+        for library in LIBRARIES:
+            code, out, _ = conform("--library", library)
+            self.assertEqual(code, 0, out)
+
+
+class ExpectedFailures(unittest.TestCase):
+    def verdict(self, lines, *words):
+        with tempfile.NamedTemporaryFile("w") as file:
+            file.write(lines)
+            file.flush()
+            return conform("--expect-fail", file.name, *words)
+
+    def test_what_may_fail_may(self):
+        words = ("--tags", "block_time.*", *adapter("as_printed"))
+        self.assertEqual(conform(*words)[0], 1)
+        self.assertEqual(self.verdict("# D1\nblock_time.*\n", *words)[0], 0)
+
+    def test_what_may_fail_must(self):
+        code, out, _ = self.verdict("load.plain\n", "--ops", "load", *adapter("scalar"))
+        self.assertEqual(code, 1)
+        self.assertIn("expected to fail but passes: load.plain", out)
+
+
+class Protocol(unittest.TestCase):
+    """A program that gives no answer has no verdict, and the message says what it did."""
+
+    def test_failures_are_told_apart(self):
+        for mode, word in (("crash", "crashed: signal 11"), ("exit", "ended with exit code 3"), ("hang", "hung"), ("garbage", "garbage"),
+                           ("wrong_seq", "seq"), ("truncated", "in the middle of a line"), ("no_hello", "no name")):
+            code, out, err = conform("--timeout", "0.2", "--tags", "load.plain", "--", sys.executable, "-B", str(BROKEN), mode)
+            self.assertEqual(code, 4, mode + out)
+            self.assertIn(word, out + err, mode)
+
+    def test_an_endless_line_is_bounded(self):
+        code, out, err = conform("--tags", "load.plain", "--", "cat", "/dev/zero")
+        self.assertEqual(code, 4)
+        self.assertIn("a line without an end", out + err)
+
+    def test_nothing_asked_is_no_verdict(self):
+        code, out, _ = conform("--tags", "no.such", *adapter("scalar"))
+        self.assertEqual(code, 5)
+        self.assertIn("nothing was asked", out)
+
+    def test_one_implementation_is_named(self):
+        self.assertEqual(conform()[0], 2)
+        self.assertEqual(conform("--scalar", "double", *adapter("scalar"))[0], 2)
+
+    def test_nan_is_no_number(self):
+        code, found = report("--ops", "load", "--", sys.executable, "-B", str(BROKEN), "nan")
+        self.assertEqual(code, 1)
+        self.assertIn("is not a number", [row for row in found["rows"] if row["of"] == "load"][0]["example"]["why"])
+
+
+class Reports(unittest.TestCase):
+    WORDS = ("--tags", "block_time.plain,block_time.far", *adapter("as_printed"))
+
+    def test_junit_counts_its_cases(self):
+        code, out, _ = conform("--format", "junit", *self.WORDS)
+        suite = xml.etree.ElementTree.fromstring(out)
+        self.assertEqual((code, suite.get("tests"), suite.get("failures")), (1, "2", "1"))
+        self.assertEqual(len(suite.findall("testcase")), 2)
+
+    def test_markdown_has_the_sentence_and_the_row(self):
+        out = conform("--format", "markdown", *self.WORDS)[1]
+        self.assertIn("NOT conforming", out)
+        self.assertIn("| block_time.plain |", out)
+
+    def test_the_badge_names_profile_and_data(self):
+        out = conform("--format", "svg", *self.WORDS)[1]
+        root = xml.etree.ElementTree.fromstring(out)
+        self.assertIn("TPS default: not conforming, known answers 1.20261122", root.get("aria-label"))
+
+    def test_json_fits_its_schema(self):
+        import jsonschema
+        schema = jsonschema.Draft202012Validator(json.loads((pathlib.Path(SOURCE) / "data/schemas/conform.schema.json").read_text()))
+        found = report(*self.WORDS)[1]
+        schema.validate(found)
+        self.assertFalse(schema.is_valid({**found, "unknown": 1}))
+
+    def test_text_ends_with_the_sentence(self):
+        out = conform(*self.WORDS)[1]
+        self.assertTrue(out.splitlines()[-1].endswith("wrong in block_time.plain"), out)
+        self.assertIn("your answer equals: ", out)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
