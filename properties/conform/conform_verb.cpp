@@ -2,14 +2,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
+#include "properties/conform/ask_runs.hpp"
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/profile.hpp"
+#include "properties/conform/random_scene.hpp"
+#include "properties/conform/random_scene_verb.hpp"
 #include "properties/conform/report.hpp"
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
@@ -36,23 +41,31 @@ Exit codes: 0 conforming, 1 not conforming, 4 the program crashed, hung or broke
 130 interrupted.
 Examples: tps conform -- python3 mine.py
           tps conform --profile double-stable --library ./libmine.so
+          tps conform --simulator './my_simulator' --features no-groups,no-draws
           tps conform --ops block_time,tether_time --level 1 -- ./mine)";
 
 struct ConformArguments {
-  std::vector<std::string> words, ops, strata;
-  std::string library, scalar, profile = "default", expected;
+  std::vector<std::string> words, ops, strata, features;
+  std::string library, scalar, simulator, profile = "default", expected;
   std::string format = "text", report = "-";
   int level = 2, bits = 0;
-  std::uint64_t law_cases = 0, seed = 20260101;
+  std::uint64_t law_cases = 0, seed = 20260101, scenes = 0;
   double timeout = 5, shrink_seconds = 2, total = 0;
   bool quiet = false, all = false, hypotheses = false;
 };
 
+bool is_simulator_alone(const ConformArguments& a) {
+  return !a.simulator.empty() && a.words.empty() && a.library.empty() && a.scalar.empty();
+}
+
+/// Null where whole runs alone are asked.
 std::unique_ptr<Implementation> subject_of(const ConformArguments& a, const Profile& profile) {
+  if (is_simulator_alone(a)) return nullptr;
   const int given = int(!a.library.empty()) + int(!a.words.empty()) + int(!a.scalar.empty());
   if (given != 1) {
     throw CLI::ValidationError(
-        "name one implementation: a command behind --, --library FILE, or the reference by --scalar");
+        "name one implementation: a command behind --, --library FILE, or the reference by --scalar; or a "
+        "simulator by --simulator, or both");
   }
   ProgramOptions options{std::chrono::milliseconds(static_cast<int>(a.timeout * 1000)), profile.bits};
   if (a.bits > 0) options.bits = a.bits;
@@ -117,10 +130,47 @@ std::string report_of(const Verdict& verdict, const ConformArguments& a) {
   return report_text(verdict, a.all);
 }
 
-void ask(Implementation& subject, const conform::Plan& plan, Verdict& verdict) {
+/// The words of a command in one string, quoted as in shells; no shell reads them.
+std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words = CLI::detail::split_up(command);
+  for (std::string& word : words) CLI::detail::remove_quotes(word);
+  words.erase(std::remove(words.begin(), words.end(), std::string()), words.end());
+  if (words.empty())
+    throw CLI::ValidationError("--simulator",
+                               "is empty; name a command that reads a scene and writes a trace");
+  return words;
+}
+
+void ask_runs_of(RunSource source, const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
+  RunPlan runs;
+  runs.source = std::move(source);
+  runs.features = a.features;
+  runs.scenes = a.scenes > 0 ? a.scenes : a.level == 1 ? 20 : 100;
+  runs.stops = plan.stops;
+  runs.progress = plan.progress;
+  ask_runs(runs, verdict);
+}
+
+void ask_simulator(const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
+  constexpr double kLeastSeconds = 10;  // for a run of a hundred events and the start of an interpreter
+  const auto timeout = std::chrono::milliseconds(static_cast<int>(std::max(a.timeout, kLeastSeconds) * 1000));
+  verdict.subject += verdict.subject.empty() ? a.simulator : " and " + a.simulator;
+  ask_runs_of(command_runs(words_of(a.simulator), timeout), a, plan, verdict);
+}
+
+bool simulates(const Implementation& subject, const conform::Plan& plan) {
+  const auto offered = subject.offered();
+  const auto has = [](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), kSimulate) != list.end();
+  };
+  return offered && has(*offered) && plan.strata.empty() && (plan.ops.empty() || has(plan.ops));
+}
+
+void ask(Implementation& subject, const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
   verdict.subject = subject.name();
   ask_known_answers(subject, plan, verdict);
   if (plan.strata.empty()) ask_laws(subject, plan, verdict);
+  if (simulates(subject, plan)) ask_runs_of(operation_runs(subject), a, plan, verdict);
   if (const std::string why = subject.given_up(); !why.empty())
     verdict.notes["given up"] = why + "; what follows was not asked";
 }
@@ -135,6 +185,11 @@ int run_conform(const ConformArguments& a) {
       .reads("--expect-fail", a.expected)
       .writes("--report", a.report)
       .require_distinct();
+  try {
+    check_features(a.features);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--features", error.what());
+  }
   Verdict verdict;
   verdict.profile = read_profile(a.profile);
   verdict.data = fmt::format("known answers {}.{}", vectors::kVectorsVersion, vectors::kCommittedSeed);
@@ -143,7 +198,8 @@ int run_conform(const ConformArguments& a) {
   const interrupt::GoodOrder good_order;
   try {
     const auto subject = subject_of(a, verdict.profile);
-    ask(*subject, plan, verdict);
+    if (subject) ask(*subject, a, plan, verdict);
+    if (!a.simulator.empty()) ask_simulator(a, plan, verdict);
   } catch (const ProgramError& error) {
     say("tps: {}\n", printable_lines(error.what()));
     return kOtherProgram;
@@ -167,6 +223,13 @@ void add_conform(CLI::App& app, int& exit_code) {
   verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
   verb->add_option("--scalar", a->scalar, "The reference itself, in this scalar")
       ->check(CLI::IsMember(reference_names()));
+  verb->add_option("--simulator", a->simulator,
+                   "A command that is given a scene file and writes a trace to its standard output");
+  verb->add_option("--features", a->features, "What its scenes have, and have not (tps scene random --help)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb->add_option("--scenes", a->scenes, "So many scenes (default: 100; 20 at level 1)")
+      ->check(integer_from(1, "a number of scenes"));
   verb->add_option("--ops", a->ops, "Only these operations")->delimiter(',')->allow_extra_args(false);
   verb->add_option("--tags", a->strata,
                    "Only known answers of these strata (block_time.graze, *.far), and no laws")
@@ -201,6 +264,7 @@ void add_conform(CLI::App& app, int& exit_code) {
   verb->add_flag("--hypotheses", a->hypotheses, "Lists the mistakes that wrong answers are compared with");
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kConformFooter);
+  add_random_scene(*app.get_subcommand("scene"));
   verb->callback([=, &exit_code] { exit_code = run_conform(*a); });
 }
 

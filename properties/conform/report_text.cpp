@@ -105,6 +105,7 @@ std::string every_row_text(const Verdict& verdict) {
 }
 
 std::string environment_text(const Environment& e) {
+  if (e.bits_seen == 0) return {};
   return fmt::format("judged as numbers of {} bits; answers had up to {} bits, {}\n", e.bits, e.bits_seen,
                      e.subnormals ? "subnormal numbers among them" : "no subnormal numbers among them");
 }
@@ -131,7 +132,7 @@ std::string sentence(const Verdict& verdict) {
   if (verdict.asked() == 0) return subject + ": no verdict, since nothing was asked of it";
   const auto failing = verdict.failing();
   const auto passes = verdict.unexpected_passes();
-  const std::string by = fmt::format("by profile {}, {} questions", verdict.profile.name, verdict.asked());
+  const std::string by = fmt::format("by profile {}, {} judged", verdict.profile.name, verdict.asked());
   if (failing.empty() && passes.empty()) {
     const auto counts = verdict.counts();
     const std::uint64_t fine = counts[0] + counts[1];

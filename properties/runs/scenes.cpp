@@ -72,10 +72,10 @@ class Assembly {
       scene_.grouping = Grouping{pick({0.25, 1.0, 0.01, 4.0, std::ldexp(1.0, -10)})};
     }
     if (wanted_.outside) {
-      add_phase();
-      if (once_in(8)) {
+      if (wanted_.phases) add_phase();
+      if (wanted_.impulses && once_in(8)) {
         strike_late();
-      } else if (once_in(4)) {
+      } else if (wanted_.impulses && once_in(4)) {
         add_impulses(0);
       }
     }
@@ -142,7 +142,7 @@ class Assembly {
   void add_infinite_masses() {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const bool wall = once_in(4);
-    const bool enclosure = once_in(4);
+    const bool enclosure = once_in(4) && wanted_.tethers;
     if (!wall && !enclosure) return;
     const Coordinates v = once_in(3) ? velocity() : Coordinates{};
     if (wall) {
@@ -161,7 +161,7 @@ class Assembly {
   /// Finite species among each other and with walls by the lattice's limits; an enclosure by a permanent
   /// tether.
   void add_laws() {
-    tethering_ = !once_in(3);
+    tethering_ = !once_in(3) && wanted_.tethers;
     for (int a = 0; a < finite_species_; ++a) {
       for (int b = a; b < static_cast<int>(scene_.species.size()); ++b) {
         PairLaw law{a, b, {}, {}};

@@ -14,7 +14,9 @@ namespace tps::properties::runs {
 struct Wanted {
   enum class Choice { maybe, always, never };
   Choice grouping = Choice::maybe;
-  bool outside = true;      ///< impulses, and phases of rules
+  bool outside = true;  ///< impulses, and phases of rules; one of them alone:
+  bool impulses = true, phases = true;
+  bool tethers = true;      ///< enclosures among them
   bool draws = true;        ///< rules that decide with a probability
   bool dissipation = true;  ///< coefficients below 1, and revolution at more than 1e-6 degrees
   bool changing_tethers = true;

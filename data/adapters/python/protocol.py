@@ -9,15 +9,15 @@ def read(value):
         return [read(x) for x in value]
     if isinstance(value, dict):
         return {key: read(x) for key, x in value.items()}
-    try:
-        return float.fromhex(value) if isinstance(value, str) else value
-    except ValueError:
-        return value
+    is_number = isinstance(value, str) and (value == "inf" or value.lstrip("-").startswith("0x"))
+    return float.fromhex(value) if is_number else value
 
 
 def written(value):
     if isinstance(value, list):
         return [written(x) for x in value]
+    if isinstance(value, dict):
+        return {key: written(x) for key, x in value.items()}
     return value.hex() if isinstance(value, float) else value
 
 
@@ -29,7 +29,7 @@ def reply(request, operations):
         out = operation(**read(request["in"]))
     except (ArithmeticError, ValueError) as problem:  # 0/0, a root of what should not be negative
         return {"error": "no_answer", "message": str(problem)}
-    return {"out": {key: written(value) for key, value in out.items()}}
+    return {"out": written(out)}
 
 
 def serve(name, operations, bits=53):

@@ -1,0 +1,50 @@
+"""The paper's loop: find the next collision of any pair, advance everybody, respond.
+
+python3 paper_loop.py SCENE > TRACE, or without a scene as the operation `simulate` of the protocol. It knows blocking, tethering, infinite
+masses, tethers that form and break by rules without a draw; it does not know grouping, phases, impulses from outside.
+"""
+import json
+import math
+import sys
+
+from pairs import Pairs
+from protocol import read, serve
+from responses import apply_impulse
+
+
+def run(scene):
+    """The lines of a minimal trace (docs/check.md)."""
+    pairs, duration, clock, events, still = Pairs(scene), read(scene["duration"]), 0.0, 0, 0
+    yield {"trace": 1, "form": "minimal", "positions": "eager", "scene": scene}
+    while still <= 10000 + len(pairs.u) * (len(pairs.u) - 1) // 2:
+        times = [(t, pairs.ids[i], pairs.ids[j], limit, i, j) for i, j in pairs.laws for t, limit in pairs.due(i, j) if t is not None]
+        t, _, _, limit, i, j = min(times, default=(math.inf, 0, 0, "", 0, 0))
+        if t == math.inf:
+            return (yield {"end": "no_more_events", "events": events, "t": clock})
+        if clock + t > duration:
+            return (yield {"end": "duration", "events": events, "t": duration})
+        pairs.u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]
+        still = still + 1 if clock + t == clock else 0
+        clock, events = clock + t, events + 1
+        yield {"t": clock, **event(pairs, i, j, limit)}
+    yield {"end": "stalled", "events": events, "t": clock}
+
+
+def event(pairs, i, j, limit):
+    kind, dp, tether = pairs.respond(i, j, limit)
+    pairs.v[i], pairs.v[j] = apply_impulse(pairs.m[i], pairs.m[j], pairs.v[i], pairs.v[j], dp).values()
+    if any(dp):
+        pairs.answered = {known for known in pairs.answered if not {i, j} & set(known[:2])}
+    pairs.answered.add((i, j, limit))
+    if tether:
+        (pairs.tethers.add if tether == "formed" else pairs.tethers.remove)((i, j))
+    post = {str(pairs.ids[k]): {"velocity": pairs.v[k]} for k in (i, j)}
+    return {"kind": kind, "i": pairs.ids[i], "j": pairs.ids[j], "post": post, **({"tether": tether} if tether else {})}
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        for line in run(json.load(open(sys.argv[1], encoding="utf-8"))):
+            print(json.dumps(line))
+    else:
+        serve("the paper's loop", {"simulate": lambda scene: {"trace": list(run(scene))}})

@@ -1,0 +1,29 @@
+// Small scenes at random, with the features that a simulator has.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/scene/scene.hpp"
+
+namespace tps::properties::conform {
+
+/// A feature and what it means that scenes have it, or do not.
+struct FeatureFacts {
+  std::string name, meaning;
+};
+const std::vector<FeatureFacts>& scene_features();
+
+/// What --features says: "no-draws,no-groups,2d". Throws std::invalid_argument that names the word and lists
+/// what there is.
+void check_features(const std::vector<std::string>& words);
+
+/// Scene `number` of a seed. It ends by its duration, or because nothing is left to happen, after at most a
+/// hundred events of the reference; nothing where the number stands for one that collapses or leaves the
+/// range. REQUIRES check_features().
+std::optional<Scene> random_scene(const std::vector<std::string>& features, std::uint64_t seed,
+                                  std::uint64_t number);
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,87 @@
+#include "properties/conform/run_source.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "properties/implementations/child_process.hpp"
+#include "properties/runs/scratch_file.hpp"
+#include "reference/scene/write_scene.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Status = ChildProcess::Line::Status;
+
+/// A trace of a hundred events takes less than a tenth of it.
+constexpr std::size_t kLongestTrace = std::size_t{1} << 24;
+constexpr int kRefuses = 3, kStalls = 6;
+
+Run failed(std::string problem) {
+  return {Run::Kind::failed, {}, std::move(problem)};
+}
+
+Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout) {
+  ChildProcess process(executing(words));
+  const Clock::time_point deadline = Clock::now() + timeout;
+  std::string trace;
+  while (true) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    const ChildProcess::Line line = process.read_line(std::max(left, std::chrono::milliseconds(1)));
+    switch (line.status) {
+      case Status::line:
+        trace += line.text + "\n";
+        if (trace.size() > kLongestTrace)
+          return failed(fmt::format("floods: more than {} bytes of trace", kLongestTrace));
+        break;
+      case Status::late:
+        return failed(fmt::format("hung: no end within {} ms{}", timeout.count(), line.text));
+      case Status::too_long:
+        return failed("garbage: a line without an end: " + line.text);
+      case Status::closed:
+        return failed("closed its output and went on" + line.text);
+      case Status::ended:
+        if (line.code == kRefuses && trace.empty()) return {Run::Kind::refused, {}, line.text};
+        if (line.code != 0 && line.code != kStalls) return failed(line.text);
+        return {Run::Kind::traced, std::move(trace), {}};
+    }
+  }
+}
+
+Run traced(const Json& out) {
+  const Json lines = out.is_object() ? out.value("trace", Json()) : Json();
+  Run found;
+  if (!lines.is_array()) return failed("the answer to simulate has no list trace");
+  for (const Json& line : lines) found.trace += line.dump() + "\n";
+  return found;
+}
+
+}  // namespace
+
+RunSource command_runs(const std::vector<std::string>& words, std::chrono::milliseconds timeout) {
+  const std::string command = fmt::format("{}", fmt::join(words, " "));
+  return {command,
+          [words, timeout](const Scene& scene) {
+            const runs::ScratchFile file(write_scene(scene));
+            std::vector<std::string> whole = words;
+            whole.push_back(file.path());
+            return run(whole, timeout);
+          },
+          command + " scene.json"};
+}
+
+RunSource operation_runs(Implementation& subject) {
+  return {subject.name(),
+          [&subject](const Scene& scene) {
+            const Json in{{"scene", Json::parse(write_scene(scene, SceneStyle::compact))}};
+            Answer answer = subject.ask({kSimulate, in});
+            if (answer.status == Answer::Status::answered) return traced(answer.out);
+            const bool refuses = answer.status != Answer::Status::failed;
+            return Run{refuses ? Run::Kind::refused : Run::Kind::failed, {}, std::move(answer.reason)};
+          },
+          {}};
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,41 @@
+// Whoever simulates a scene: a command, or a program that has the operation `simulate`.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "properties/implementation.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps::properties::conform {
+
+/// What came of a run.
+struct Run {
+  enum class Kind {
+    traced,
+    refused,  ///< no scene for this simulator
+    failed,   ///< a crash, a hang, a flood, a breach of the protocol
+  };
+  Kind kind = Kind::traced;
+  std::string trace = {}, problem = {};
+};
+
+struct RunSource {
+  std::string name;
+  std::function<Run(const Scene&)> run;
+  std::string command_for_scene;  ///< what shows its trace of scene.json, for people
+};
+
+/// The path of a scene file is added to the words; the trace comes on standard output. Exit codes: 0, 6 for a
+/// run that stalled, 3 for a scene that is refused.
+RunSource command_runs(const std::vector<std::string>& words, std::chrono::milliseconds timeout);
+
+/// {"op":"simulate","in":{"scene":…}} → {"out":{"trace":[line, …]}}, lines as objects. The subject outlives
+/// it.
+RunSource operation_runs(Implementation& subject);
+
+constexpr const char* kSimulate = "simulate";
+
+}  // namespace tps::properties::conform
