@@ -13,8 +13,8 @@ namespace tps::properties::conform {
 
 struct RunPlan {
   RunSource source;
-  std::vector<std::string> features;  ///< of the scenes (random_scene.hpp)
-  std::uint64_t scenes = 100, seed = 1;
+  std::vector<std::string> features;                ///< of the scenes (random_scene.hpp)
+  std::uint64_t scenes = 100, seed = 1, first = 0;  ///< so many from number `first` on
   std::function<bool()> stops = [] { return false; };
   std::function<void(const std::string& doing)> progress = [](const std::string&) {};
 };

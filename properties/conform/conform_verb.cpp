@@ -49,10 +49,17 @@ struct ConformArguments {
   std::string library, scalar, simulator, profile = "default", expected;
   std::string format = "text", report = "-";
   int level = 2, bits = 0;
-  std::uint64_t law_cases = 0, seed = 20260101, scenes = 0;
-  double timeout = 5, shrink_seconds = 2, total = 0;
+  std::uint64_t law_cases = 0, seed = 20260101, scenes = 0, first_scene = 0;
+  double timeout = 0, shrink_seconds = 2, total = 0;
   bool quiet = false, all = false, hypotheses = false;
 };
+
+/// A hundred events and the start of an interpreter take longer than an answer.
+constexpr double kSecondsForAReply = 5, kSecondsForARun = 10;
+
+std::chrono::milliseconds time_limit(const ConformArguments& a, double by_default) {
+  return std::chrono::milliseconds(static_cast<int>((a.timeout > 0 ? a.timeout : by_default) * 1000));
+}
 
 bool is_simulator_alone(const ConformArguments& a) {
   return !a.simulator.empty() && a.words.empty() && a.library.empty() && a.scalar.empty();
@@ -67,7 +74,7 @@ std::unique_ptr<Implementation> subject_of(const ConformArguments& a, const Prof
         "name one implementation: a command behind --, --library FILE, or the reference by --scalar; or a "
         "simulator by --simulator, or both");
   }
-  ProgramOptions options{std::chrono::milliseconds(static_cast<int>(a.timeout * 1000)), profile.bits};
+  ProgramOptions options{time_limit(a, kSecondsForAReply), profile.bits};
   if (a.bits > 0) options.bits = a.bits;
   if (!a.library.empty()) return shared_library(a.library, options);
   if (!a.words.empty()) return command(a.words, options);
@@ -146,16 +153,15 @@ void ask_runs_of(RunSource source, const ConformArguments& a, const conform::Pla
   runs.source = std::move(source);
   runs.features = a.features;
   runs.scenes = a.scenes > 0 ? a.scenes : a.level == 1 ? 20 : 100;
+  runs.first = a.first_scene;
   runs.stops = plan.stops;
   runs.progress = plan.progress;
   ask_runs(runs, verdict);
 }
 
 void ask_simulator(const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
-  constexpr double kLeastSeconds = 10;  // for a run of a hundred events and the start of an interpreter
-  const auto timeout = std::chrono::milliseconds(static_cast<int>(std::max(a.timeout, kLeastSeconds) * 1000));
   verdict.subject += verdict.subject.empty() ? a.simulator : " and " + a.simulator;
-  ask_runs_of(command_runs(words_of(a.simulator), timeout), a, plan, verdict);
+  ask_runs_of(command_runs(words_of(a.simulator), time_limit(a, kSecondsForARun)), a, plan, verdict);
 }
 
 bool simulates(const Implementation& subject, const conform::Plan& plan) {
@@ -230,6 +236,8 @@ void add_conform(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--scenes", a->scenes, "So many scenes (default: 100; 20 at level 1)")
       ->check(integer_from(1, "a number of scenes"));
+  verb->add_option("--first-scene", a->first_scene, "From this number on")
+      ->check(integer_from(0, "a number of a scene"));
   verb->add_option("--ops", a->ops, "Only these operations")->delimiter(',')->allow_extra_args(false);
   verb->add_option("--tags", a->strata,
                    "Only known answers of these strata (block_time.graze, *.far), and no laws")
@@ -247,9 +255,8 @@ void add_conform(CLI::App& app, int& exit_code) {
   verb->add_option("--expect-fail", a->expected, "A file of rows that may fail, and must");
   verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
       ->check(CLI::Range(8, 400));
-  verb->add_option("--timeout", a->timeout, "Seconds for a reply")
-      ->check(number_from(0.001, 3600, "a time limit in seconds"))
-      ->capture_default_str();
+  verb->add_option("--timeout", a->timeout, "Seconds for a reply (default: 5), and for a run (10)")
+      ->check(number_from(0.001, 3600, "a time limit in seconds"));
   verb->add_option("--total-seconds", a->total, "Seconds for everything")
       ->check(number_from(0, 1e6, "a time limit in seconds"));
   verb->add_option("--shrink-seconds", a->shrink_seconds,

@@ -19,8 +19,8 @@ using Status = ChildProcess::Line::Status;
 constexpr std::size_t kLongestTrace = std::size_t{1} << 24;
 constexpr int kRefuses = 3, kStalls = 6;
 
-Run failed(std::string problem) {
-  return {Run::Kind::failed, {}, std::move(problem)};
+Run failed(std::string problem, std::string trace = {}) {
+  return {Run::Kind::failed, std::move(trace), std::move(problem)};
 }
 
 Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout) {
@@ -34,10 +34,11 @@ Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout
       case Status::line:
         trace += line.text + "\n";
         if (trace.size() > kLongestTrace)
-          return failed(fmt::format("floods: more than {} bytes of trace", kLongestTrace));
+          return failed(fmt::format("floods: more than {} bytes of trace", kLongestTrace), std::move(trace));
         break;
       case Status::late:
-        return failed(fmt::format("hung: no end within {} ms{}", timeout.count(), line.text));
+        return failed(fmt::format("hung: no end within {} ms{}", timeout.count(), line.text),
+                      std::move(trace));
       case Status::too_long:
         return failed("garbage: a line without an end: " + line.text);
       case Status::closed:
@@ -75,7 +76,8 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 RunSource operation_runs(Implementation& subject) {
   return {subject.name(),
           [&subject](const Scene& scene) {
-            const Json in{{"scene", Json::parse(write_scene(scene, SceneStyle::compact))}};
+            const Json in{{"scene", Json::parse(write_scene(scene, SceneStyle::compact))},
+                          {"max_events", kMostEventsOfARun}};
             Answer answer = subject.ask({kSimulate, in});
             if (answer.status == Answer::Status::answered) return traced(answer.out);
             const bool refuses = answer.status != Answer::Status::failed;

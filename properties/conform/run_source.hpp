@@ -19,7 +19,8 @@ struct Run {
     failed,   ///< a crash, a hang, a flood, a breach of the protocol
   };
   Kind kind = Kind::traced;
-  std::string trace = {}, problem = {};
+  std::string trace = {};  ///< of a run that failed, what came before
+  std::string problem = {};
 };
 
 struct RunSource {
@@ -37,5 +38,8 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 RunSource operation_runs(Implementation& subject);
 
 constexpr const char* kSimulate = "simulate";
+
+/// Ten times what the reference has in a scene: who has more of them is wrong, and does not need to go on.
+constexpr std::uint64_t kMostEventsOfARun = 1000;
 
 }  // namespace tps::properties::conform

@@ -104,7 +104,7 @@ WRONG = [
            "only the two particles take the common velocity, not their groups"),
 ]
 
-# Right, but not the same bits.
+# Right, but by other words or not the same bits.
 RIGHT = [
     Mutant("squares", T, "distance = dot(v, v), dot(r, v), math.sqrt(dot(r, r))", "distance = sum(x ** 2 for x in v), dot(r, v), math.hypot(*r)", "block_time"),
     Mutant("inverse_masses", R, "p / m_A for v, p in zip(v_A, dp)], \"v_B\": [v - p / m_B", "p * (1 / m_A) for v, p in zip(v_A, dp)], \"v_B\": [v - p * (1 / m_B)",

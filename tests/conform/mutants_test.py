@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every wrong adapter of mutants.py fails `tps conform` in the operation that it breaks, with the hypothesis that fits; the right ones pass.
+"""Every wrong adapter of mutants.py and every wrong simulator of simulator_mutants.py fails `tps conform` where it is wrong, with the hypothesis
+that fits; the right ones pass.
 
   mutants_test.py TPS SOURCE [--only NAME]
 """
@@ -11,7 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-from mutants import RIGHT, WRONG
+import mutants
+import simulator_mutants
 
 
 def mutate(adapters, mutant):
@@ -22,20 +24,29 @@ def mutate(adapters, mutant):
     path.write_text(text.replace(mutant.old, mutant.new))
 
 
-def report_on(tps, source, mutant):
+def report_on(tps, source, mutant, program, *options):
     with tempfile.TemporaryDirectory() as folder:
         adapters = pathlib.Path(folder) / "python"
         shutil.copytree(source / "data/adapters/python", adapters, ignore=shutil.ignore_patterns("__pycache__"))
         mutate(adapters, mutant)
-        command = [tps, "conform", "--quiet", "--level", "1", "--cases", "5", "--shrink-seconds", "0", "--format", "json",
-                   "--ops", mutant.asked(), "--", sys.executable, "-B", str(adapters / "scalar.py")]
+        command = [tps, "conform", "--quiet", "--level", "1", "--cases", "5", "--shrink-seconds", "0", "--format", "json", *options,
+                   "--", sys.executable, "-B", "-E", "-S", str(adapters / program)]
         done = subprocess.run(command, capture_output=True, timeout=60)
         if not done.stdout:
             raise SystemExit(f"{mutant.name}: {done.stderr.decode()}")
         return done.returncode, json.loads(done.stdout)
 
 
-def faults_of_wrong(mutant, code, report):
+def on_adapter(tps, source, mutant):
+    return report_on(tps, source, mutant, "scalar.py", "--ops", mutant.asked())
+
+
+def on_simulator(tps, source, mutant):
+    return report_on(tps, source, mutant, "paper_loop.py", "--ops", "simulate", "--features", mutant.features, "--scenes", str(mutant.scenes),
+                     "--first-scene", str(mutant.first))
+
+
+def faults_of_wrong_adapter(mutant, code, report):
     rows = [row for row in report["rows"] if row["classes"][mutant.kind] > 0]
     if code != 1:
         yield f"exit code {code}: {report['sentence']}"
@@ -46,12 +57,26 @@ def faults_of_wrong(mutant, code, report):
         yield f"hypotheses {sorted(found)}, expected {mutant.equals}"
 
 
+def faults_of_wrong_simulator(mutant, code, report):
+    if code != (0 if mutant.kind == "OTHER READING" else 1):
+        yield f"exit code {code}: {report['sentence']}"
+    row = next((row for row in report["rows"] if row["name"] == mutant.row), None)
+    if row is None or row["classes"][mutant.kind] == 0:
+        yield f"{mutant.row} has no {mutant.kind}: {[r['name'] + ' ' + json.dumps(r['classes']) for r in report['rows']]}"
+    elif mutant.says not in json.dumps(row, ensure_ascii=False):
+        yield f"{mutant.row} does not say {mutant.says}: {row['example']['why']}"
+
+
 def faults_of_right(mutant, code, report):
     if code != 0:
         yield f"exit code {code}: {report['sentence']}"
         for row in report["rows"]:
             if not row["accepted"]:
                 yield json.dumps(row.get("example"))
+
+
+TRIALS = ((mutants.WRONG, on_adapter, faults_of_wrong_adapter), (mutants.RIGHT, on_adapter, faults_of_right),
+          (simulator_mutants.WRONG, on_simulator, faults_of_wrong_simulator), (simulator_mutants.RIGHT, on_simulator, faults_of_right))
 
 
 def main():
@@ -61,15 +86,15 @@ def main():
     parser.add_argument("--only")
     options = parser.parse_args()
     bad = 0
-    for mutants, faults in ((WRONG, faults_of_wrong), (RIGHT, faults_of_right)):
-        for mutant in mutants:
+    for trial, ask, faults in TRIALS:
+        for mutant in trial:
             if options.only and mutant.name != options.only:
                 continue
-            code, report = report_on(options.tps, options.source, mutant)
-            for fault in faults(mutant, code, report):
+            for fault in faults(mutant, *ask(options.tps, options.source, mutant)):
                 print(f"{mutant.name}: {fault}")
                 bad += 1
-    print(f"{len(WRONG)} wrong adapters, {len(RIGHT)} right ones: {bad} faults")
+    wrong, right = (sum(len(t[0]) for t in TRIALS[k::2]) for k in (0, 1))
+    print(f"{wrong} wrong programs, {right} right ones: {bad} faults")
     return 1 if bad else 0
 
 

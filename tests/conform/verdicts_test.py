@@ -133,6 +133,61 @@ class Protocol(unittest.TestCase):
         self.assertIn("is not a number", [row for row in found["rows"] if row["of"] == "load"][0]["example"]["why"])
 
 
+class Simulators(unittest.TestCase):
+    """A command that is given a scene file and writes a trace."""
+    FEATURES = ("--features", "no-groups,no-draws,no-phases,no-impulses", "--scenes", "2")
+
+    def verdict(self, script, *words):
+        return conform(*self.FEATURES, "--timeout", "1", *words, "--simulator", f'{sys.executable} -B -c "{script}"')
+
+    def test_the_papers_loop_passes(self):
+        code, out, _ = conform(*self.FEATURES, "--simulator", f"{sys.executable} -B {ADAPTERS}/paper_loop.py")
+        self.assertEqual(code, 0, out)
+        self.assertIn("whole runs", out)
+
+    def test_the_reference_passes_with_every_feature(self):
+        code, found = report("--scenes", "60", "--simulator", f"{TPS} run -q --timing certified -o -")
+        self.assertEqual((code, found["classes"]["RIGHT"]), (0, found["asked"]))
+        met = {row["hazard"] for row in found["rows"] if row["asked"] >= 5}
+        self.assertLessEqual({"whole", "rebound", "retract", "revolve", "break", "formed", "load", "restitute", "drawn", "infinite mass", "phase",
+                              "scheduled_impulse", "end"}, met)
+
+    def test_failures_are_told_apart(self):
+        for script, word in (("import time; time.sleep(9)", "hung"), ("import os; os.abort()", "crashed: signal 6"), ("raise ValueError", "exit code 1"),
+                             ("while True: print('x' * 1000)", "floods")):
+            code, out, _ = self.verdict(script)
+            self.assertEqual(code, 4, out)
+            self.assertIn(word, out)
+
+    def test_a_refusal_is_no_crash(self):
+        code, out, _ = self.verdict("import sys; sys.exit(3)")
+        self.assertEqual(code, 1)
+        self.assertIn("REFUSED", out)
+
+    def test_nothing_is_no_trace(self):
+        code, out, _ = self.verdict("pass")
+        self.assertEqual(code, 1)
+        self.assertIn("no trace that can be judged", out)
+
+    def test_a_run_without_an_end_is_judged_by_what_it_wrote(self):
+        loop = pathlib.Path(ADAPTERS / "paper_loop.py").read_text().replace("pairs.answered.add((i, j, limit))", "pass").replace("(t, pairs.ids", "(0, pairs.ids")
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("protocol", "pairs", "responses", "timing"):
+                (pathlib.Path(folder) / f"{name}.py").write_text((ADAPTERS / f"{name}.py").read_text())
+            (pathlib.Path(folder) / "paper_loop.py").write_text(loop)
+            code, out, _ = conform(*self.FEATURES, "--timeout", "0.5", "--simulator", f"{sys.executable} -B {folder}/paper_loop.py")
+        self.assertEqual(code, 1, out)
+        self.assertIn("WRONG", out)
+
+    def test_scenes_come_one_by_one_too(self):
+        done = subprocess.run([TPS, "scene", "random", "--number", "7", "--features", "no-groups,2d"], capture_output=True)
+        scene = json.loads(done.stdout)
+        self.assertEqual((scene["dimension"], "grouping" in scene, scene["title"]), (2, False, "random scene 7 of seed 1"))
+        done = subprocess.run([TPS, "scene", "random", "--features", "no-grops"], capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"no-groups", done.stderr)
+
+
 class Reports(unittest.TestCase):
     WORDS = ("--tags", "block_time.plain,block_time.far", *adapter("as_printed"))
 

@@ -12,7 +12,7 @@ from protocol import read, serve
 from responses import apply_impulse
 
 
-def run(scene):
+def run(scene, max_events=math.inf):
     """The lines of a minimal trace (docs/check.md)."""
     pairs, duration, clock, events, still = Pairs(scene), read(scene["duration"]), 0.0, 0, 0
     yield {"trace": 1, "form": "minimal", "positions": "eager", "scene": scene}
@@ -21,6 +21,8 @@ def run(scene):
         t, _, _, limit, i, j = min(times, default=(math.inf, 0, 0, "", 0, 0))
         if t == math.inf:
             return (yield {"end": "no_more_events", "events": events, "t": clock})
+        if events >= max_events:
+            return (yield {"end": "max_events", "events": events, "t": clock})
         if clock + t > duration:
             return (yield {"end": "duration", "events": events, "t": duration})
         pairs.u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]
@@ -47,4 +49,4 @@ if __name__ == "__main__":
         for line in run(json.load(open(sys.argv[1], encoding="utf-8"))):
             print(json.dumps(line))
     else:
-        serve("the paper's loop", {"simulate": lambda scene: {"trace": list(run(scene))}})
+        serve("the paper's loop", {"simulate": lambda scene, max_events: {"trace": list(run(scene, max_events))}})
