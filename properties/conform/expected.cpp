@@ -100,7 +100,7 @@ void compare_numbers(const ExpectedNumbers& expected, const Json& given, const F
   const double units = miss == 0 ? 0 : miss / unit;
   // The format's own rounding of a result is half a unit of it; doubles have their enclosures for that.
   const double allowed = (format.bits < 53 ? 0.5 : 0) + (expected.cond ? k * *expected.cond : 0);
-  if (units > comparison.units) {
+  if (size > 0 && units > comparison.units) {  // of 0 there are no units
     comparison.units = units;
     comparison.cond = expected.cond.value_or(0);
   }

@@ -125,6 +125,8 @@ Grade graded_response(const KnownQuestion& known, const Json& out, const Compari
   if (known.question.op == "tether_response" && kind_is_open(known.question, format.bits) &&
       is_of_its_kind(known, out, format))
     return with(Class::beyond, c, "rounding decides between retraction and revolution");
+  if (c.words && c.numbers && !leaves_range(known.question, format) && within_bounds(known, out, format.bits))
+    return with(Class::rounding, c);
   if (!meets(stable, known, format, k))
     return with(Class::beyond, c, "the reference in this precision misses it, too");
   return with(Class::wrong, c);
