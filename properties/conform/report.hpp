@@ -13,7 +13,7 @@ std::string report_text(const Verdict& verdict, bool every_row);
 /// The last sentence alone.
 std::string sentence(const Verdict& verdict);
 
-/// What a row says in one line: "3 BEYOND ITS PRECISION (the reference in double: 3)".
+/// What a row says in one line: "125 asked, 122 RIGHT, 3 BEYOND ITS PRECISION".
 std::string findings_of(const Row& row);
 
 std::string report_json(const Verdict& verdict);

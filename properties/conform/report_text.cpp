@@ -74,25 +74,69 @@ std::string example_text(const Row& row) {
   return text;
 }
 
-std::string row_text(const Row& row) {
-  std::string text = fmt::format("  {:<34} {}; {}\n", row.name, findings_of(row), row.page);
-  if (const auto best = Verdict::best_hypotheses(row); !best.empty())
-    text += fmt::format("    your answer equals: {} ({} of {})\n", fmt::join(best, "; or "),
-                        row.hypotheses.at(best.front()), row.of_class(Class::wrong));
-  return row.example && row.example->which >= Class::worse ? text + example_text(row) : text;
+/// Rows of one operation, or a law, or what happened in runs, with answers of one class.
+struct Group {
+  std::string name;
+  Class which;
+  std::vector<const Row*> rows;
+};
+
+std::vector<Group> groups_of(const Verdict& verdict, Class which) {
+  std::vector<Group> groups;
+  for (const Row& row : verdict.rows) {
+    if (row.of_class(which) == 0) continue;
+    const std::string name = row.name == row.of + "." + row.hazard ? row.of : row.name;
+    if (groups.empty() || groups.back().name != name) groups.push_back({name, which, {}});
+    groups.back().rows.push_back(&row);
+  }
+  return groups;
 }
 
-/// Rows by the worst class in them, those that fail first.
+/// "  block_time  4 of 150: touching 2, twins 2; docs/eq2.md"
+std::string heading_of(const Group& group) {
+  std::uint64_t found = 0, asked = 0, missed = 0;
+  std::vector<std::string> hazards;
+  for (const Row* row : group.rows) {
+    found += row->of_class(group.which);
+    asked += row->asked();
+    if (row->reference) missed += row->asked() - *row->reference;
+    hazards.push_back(fmt::format("{} {}", row->hazard, row->of_class(group.which)));
+  }
+  std::string text = fmt::format("  {:<20} {} of {}", group.name, found, asked);
+  if (group.name == group.rows.front()->of) text += fmt::format(": {}", fmt::join(hazards, ", "));
+  if (missed > 0) text += fmt::format("; the reference in these numbers misses {} as well", missed);
+  return text + fmt::format("; {}\n", group.rows.front()->page);
+}
+
+std::string hypotheses_of(const Group& group) {
+  if (group.which != Class::wrong) return {};
+  Row all = *group.rows.front();
+  for (std::size_t n = 1; n < group.rows.size(); ++n) {
+    all.counts[index_of(Class::wrong)] += group.rows[n]->of_class(Class::wrong);
+    for (const auto& [name, count] : group.rows[n]->hypotheses) all.hypotheses[name] += count;
+  }
+  const auto best = Verdict::best_hypotheses(all);
+  if (best.empty()) return {};
+  return fmt::format("    your answer equals: {} ({} of {})\n", fmt::join(best, "; or "),
+                     all.hypotheses.at(best.front()), all.of_class(Class::wrong));
+}
+
+std::string group_text(const Group& group) {
+  std::string text = heading_of(group) + hypotheses_of(group);
+  if (group.which < Class::worse) return text;
+  for (const Row* row : group.rows) {
+    if (row->example && row->example->which == group.which) return text + example_text(*row);
+  }
+  return text;
+}
+
+/// By class, the worst first.
 std::string findings_text(const Verdict& verdict) {
   std::string text;
   for (std::size_t c = kClasses; c-- > index_of(Class::not_bitwise);) {
-    bool headed = false;
-    for (const Row& row : verdict.rows) {
-      if (!row.example || row.example->which != kClassFacts[c].which) continue;
-      if (!headed) text += fmt::format("{}\n", kClassFacts[c].name);
-      headed = true;
-      text += row_text(row);
-    }
+    const auto groups = groups_of(verdict, kClassFacts[c].which);
+    if (!groups.empty()) text += fmt::format("{}\n", kClassFacts[c].name);
+    for (const Group& group : groups) text += group_text(group);
   }
   return text;
 }
@@ -140,12 +184,15 @@ std::string sentence(const Verdict& verdict) {
                        fine == verdict.asked() ? "" : ", the rest is explained above");
   }
   std::vector<std::string> names;
-  for (const Row* row : failing) names.push_back(row->name);
+  for (const Row* row : failing) {
+    const std::string& what = row->of == "laws" || row->of == "runs" ? row->name : row->of;
+    if (names.empty() || names.back() != what) names.push_back(what);
+  }
   constexpr std::size_t kShown = 6;
   const std::size_t hidden = names.size() > kShown ? names.size() - kShown : 0;
   names.resize(names.size() - hidden);
   std::string text = fmt::format("{}: NOT conforming {}", subject, by);
-  if (!names.empty()) text += fmt::format("; wrong in {}", fmt::join(names, ", "));
+  if (!names.empty()) text += fmt::format("; what fails: {}", fmt::join(names, ", "));
   if (hidden > 0) text += fmt::format(" and {} more", hidden);
   if (!passes.empty()) text += fmt::format("; expected to fail but passes: {}", fmt::join(passes, ", "));
   return text;

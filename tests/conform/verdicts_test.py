@@ -216,7 +216,7 @@ class Reports(unittest.TestCase):
 
     def test_text_ends_with_the_sentence(self):
         out = conform(*self.WORDS)[1]
-        self.assertTrue(out.splitlines()[-1].endswith("wrong in block_time.plain"), out)
+        self.assertTrue(out.splitlines()[-1].endswith("what fails: block_time"), out)
         self.assertIn("your answer equals: ", out)
 
 
