@@ -1,4 +1,5 @@
 // Eqs. (3), (4), (6), (7) over a pipe: c++ -std=c++20 -O2 adapter.cpp -o adapter; tps conform -- ./adapter
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -6,28 +7,25 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <valarray>
+#include <vector>
 
 using Json = nlohmann::json;
 using Vec = std::valarray<double>;
 
 /// Numbers come as hexadecimal floats in strings, "inf" among them.
-double number(const Json& x) { return x.is_string() ? std::strtod(x.get_ref<const std::string&>().c_str(), nullptr) : x.get<double>(); }
+double number(const Json& x) {
+  return x.is_string() ? std::strtod(x.get_ref<const std::string&>().c_str(), nullptr) : x.get<double>();
+}
 
 Vec vec(const Json& list) {
   Vec x(list.size());
-  for (std::size_t k = 0; k < list.size(); ++k) x[k] = number(list[k]);
+  std::transform(list.begin(), list.end(), std::begin(x), number);
   return x;
 }
 
-/// Exact again as hexadecimal floats.
+/// As JSON numbers, which read back as the same doubles.
 Json written(const Vec& x) {
-  Json list = Json::array();
-  for (const double each : x) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", each);
-    list.push_back(text);
-  }
-  return list;
+  return std::vector<double>(std::begin(x), std::end(x));
 }
 
 struct Given {
@@ -53,17 +51,23 @@ Json load(const Given& g) {
   return {{"v_load", written(w_A * g("v_A") + w_B * g("v_B"))}};
 }
 
-Json restitution_impulse(const Given& g) { return {{"dp_AB", written(g("dp") - g.mu() * (g("v_B") - g("v_A")))}}; }
+Json restitution_impulse(const Given& g) {
+  return {{"dp_AB", written(g("dp") - g.mu() * (g("v_B") - g("v_A")))}};
+}
 
 int main() {
   const std::map<std::string, Json (*)(const Given&)> operations{
-      {"apply_impulse", apply_impulse}, {"collision_impulse", collision_impulse}, {"load", load}, {"restitution_impulse", restitution_impulse}};
+      {"apply_impulse", apply_impulse},
+      {"collision_impulse", collision_impulse},
+      {"load", load},
+      {"restitution_impulse", restitution_impulse}};
   for (std::string line; std::getline(std::cin, line);) {
     const Json request = Json::parse(line);
     if (request.contains("bye")) break;
     Json reply{{"name", "C++"}};
     for (const auto& [name, operation] : operations) reply["ops"].push_back(name);
-    if (!request.contains("hello")) reply = {{"seq", request["seq"]}, {"out", operations.at(request["op"])(Given{request["in"]})}};
+    if (!request.contains("hello"))
+      reply = {{"seq", request["seq"]}, {"out", operations.at(request["op"])(Given{request["in"]})}};
     std::cout << reply.dump() << std::endl;
   }
 }
