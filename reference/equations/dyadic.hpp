@@ -20,8 +20,8 @@ struct Dyadic {
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
     if (a.sign() == 0) return b;
     if (b.sign() == 0) return a;
-    const long exponent = std::min(a.exponent, b.exponent);
-    return {a.digits_at(exponent) + b.digits_at(exponent), exponent};
+    const long lower = std::min(a.exponent, b.exponent);
+    return {a.digits_at(lower) + b.digits_at(lower), lower};
   }
   friend Dyadic operator-(const Dyadic& a) { return {-a.digits, a.exponent}; }
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
