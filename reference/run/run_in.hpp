@@ -27,9 +27,11 @@ class RecordedRun {
         options_(options),
         duration_(options.until.value_or(scene.duration)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
+        files_(options),
         simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}),
-        files_(scene, options, state_every_, restored(resume)),
         schedule_(scene, scene.duration) {
+    if (resume != nullptr) take_up(*resume);
+    files_.begin(scene, options, state_every_, resume);
     last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
     first_event_ = world().events;
@@ -59,12 +61,10 @@ class RecordedRun {
  private:
   const World<Scalar, D>& world() const { return simulation_->world(); }
 
-  /// Takes up the state to go on from, before the files are touched: a state that does not fit costs nothing.
-  const ResumePoint* restored(const ResumePoint* resume) {
-    if (resume == nullptr) return nullptr;
-    restore(*simulation_, resume->state);
-    for (const std::vector<Hex>& data : resume->state.observations) samples_.push_back(sample_from(data));
-    return resume;
+  /// Before the files are touched: a state that does not fit costs nothing.
+  void take_up(const ResumePoint& resume) {
+    restore(*simulation_, resume.state);
+    for (const std::vector<Hex>& data : resume.state.observations) samples_.push_back(sample_from(data));
   }
 
   EndReason run_events() {
@@ -210,8 +210,9 @@ class RecordedRun {
   double duration_;
   std::uint64_t state_every_;
   std::vector<ClusterSample> samples_;
+  TraceFiles
+      files_;  ///< before the simulation, whose start takes long: whoever may not write hears it at once
   std::optional<Simulation<Scalar, D>> simulation_;
-  TraceFiles files_;
   ClusterSchedule schedule_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;

@@ -42,6 +42,12 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
   Snapshot snapshot;
   snapshot.scene = read_trace_head(path).scene;
   const StateData state = last_state_until(path, at);
+  if (state.checksum == StateData::Checksum::wrong) {
+    throw InputError(
+        {{path, 0, "",
+          "its last full state has the checksum of another: it was damaged, or edited; if it was "
+          "edited, leave the checksum out"}});
+  }
   snapshot.t = nearest(state.now);
   std::unordered_map<std::int32_t, int> index_of;
   for (const Particle& p : snapshot.scene.particles) {

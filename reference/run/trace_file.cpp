@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/run/resume.hpp"
+#include "reference/run/trace_lines.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/checksum.hpp"
@@ -19,6 +20,7 @@
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
 #include "reference/text/line_source.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/text/schema_words.hpp"
 #include "reference/version.hpp"
 
@@ -29,49 +31,10 @@ namespace {
   throw InputError({{path, line, "", message}});
 }
 
-constexpr std::size_t kLongestHead = std::size_t{64} << 20U;   // holds a scene, which is no longer
-constexpr std::size_t kLongestLine = std::size_t{512} << 20U;  // a full state of a million particles
-
-/// Complete lines of a file, with the place behind each. A last line without an end was cut off while it was
-/// written and does not count.
-class Lines {
- public:
-  explicit Lines(const std::string& path) : path_(path), in_(path, std::ios::binary) {
-    std::error_code unknown;  // a loop of links, a name too long: cannot be opened either
-    if (std::filesystem::is_directory(path, unknown))
-      fail(path, 0, "is a directory; a trace or checkpoint file is wanted");
-    if (!in_) fail(path, 0, "cannot be opened; a trace or checkpoint file is wanted");
-  }
-
-  bool next() {
-    LineRead read;
-    const std::size_t longest = number == 0 ? kLongestHead : kLongestLine;
-    if (!read_line(in_, text, longest, read) || !read.ended) return false;
-    ++number;
-    if (read.too_long) fail(path_, number, fmt::format("is longer than {} bytes; no line is", longest));
-    end += text.size() + 1;
-    return true;
-  }
-
-  std::string text;
-  std::size_t number = 0;
-  std::uint64_t end = 0;
-
- private:
-  std::string path_;
-  std::ifstream in_;
-};
-
-constexpr std::string_view kStateStart = "{\"state\":";
-
-StateData state_of(const std::string& path, const Lines& lines) {
-  return read_state(lines.text, path, lines.number);
-}
-
 /// Reads a first line and checks that it is one.
 JsonDocument head_of(const std::string& path) {
   refuse_other_kinds_of_file(path, "a trace or a checkpoint", {FileKind::trace, FileKind::checkpoint});
-  Lines lines(path);
+  TraceLines lines(path);
   if (!lines.next()) fail(path, 1, "holds no complete line; a trace starts with {\"trace\":1,…}");
   JsonDocument document = parse_json(lines.text, path);
   document.problems.throw_if_any();
@@ -149,7 +112,7 @@ std::string head_line(std::string_view kind, const Scene& scene, const RunOption
       {"scalar", scalar_names()[static_cast<std::size_t>(options.scalar)]},
       {"options",
        {{"timing", timing_names()[static_cast<std::size_t>(options.timing)]}, {"state_every", state_every}}}};
-  std::string line = head.dump();
+  std::string line = json_text(head);
   line.pop_back();
   line.append(",\"scene\":").append(write_scene(scene, SceneStyle::compact));
   const std::string checksum =
@@ -177,7 +140,8 @@ bool is_checkpoint(const std::string& path) {
 }
 
 ResumePoint last_state(const std::string& path) {
-  Lines lines(path);
+  TraceLines lines(path);
+  TraceOrder order;
   std::string text;
   ResumePoint point;
   point.from = path;
@@ -186,7 +150,8 @@ ResumePoint last_state(const std::string& path) {
   std::uint64_t start = 0;
   std::uint64_t end = 0;
   while (lines.next()) {
-    if (lines.text.starts_with(kStateStart)) {
+    if (order.next(lines).what == TraceLineKind::What::state) {
+      order.require_sound();
       text = lines.text;
       number = lines.number;
       start = before;
@@ -202,11 +167,13 @@ ResumePoint last_state(const std::string& path) {
 
 StateData last_state_until(const std::string& path, std::optional<double> until) {
   if (!until) return last_state(path).state;
-  Lines lines(path);
+  TraceLines lines(path);
+  TraceOrder order;
   std::optional<StateData> found;
   while (lines.next()) {
-    if (!lines.text.starts_with(kStateStart)) continue;
-    StateData state = state_of(path, lines);
+    if (order.next(lines).what != TraceLineKind::What::state) continue;
+    order.require_sound();
+    StateData state = lines.state();
     if (std::strtod(state.now[0].c_str(), nullptr) > *until) break;
     found = std::move(state);
   }
@@ -215,12 +182,14 @@ StateData last_state_until(const std::string& path, std::optional<double> until)
 }
 
 std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
-  Lines lines(path);
+  TraceLines lines(path);
+  TraceOrder order;
   std::uint64_t start = 0;
   while (lines.next()) {
-    if (lines.text.starts_with(kStateStart)) {
-      const StateData state = state_of(path, lines);
-      if (state.k == k) return state.final ? start : lines.end;
+    const TraceLineKind kind = order.next(lines);
+    if (kind.what == TraceLineKind::What::state && kind.k == k) {
+      order.require_sound();
+      return lines.state().final ? start : lines.end;
     }
     start = lines.end;
   }
@@ -229,29 +198,27 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
            ", where the checkpoint was taken; resume from the trace itself, or leave out -o");
 }
 
-TraceFiles::TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
-                       const ResumePoint* resume) {
+TraceFiles::TraceFiles(const RunOptions& options) {
   if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
+  if (!options.trace.empty()) trace_ = std::make_unique<Output>(options.trace, Output::Reserve::only);
+}
+
+void TraceFiles::begin(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
+                       const ResumePoint* resume) {
   if (checkpoint_) checkpoint_head_ = head_line("checkpoint", scene, options, state_every);
-  if (options.trace.empty()) return;
-  if (resume == nullptr) {
-    trace_ = std::make_unique<Output>(options.trace);
-    trace_->write(head_line("trace", scene, options, state_every));
-    return;
-  }
+  if (!trace_) return;
   std::error_code ignored;
-  if (!std::filesystem::equivalent(resume->from, options.trace, ignored)) {
-    std::ifstream from(resume->from, std::ios::binary);
-    trace_ = std::make_unique<Output>(options.trace);
-    std::string block(1U << 16U, '\0');
-    for (std::uint64_t left = resume->keep; left > 0 && from;) {
-      from.read(block.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, block.size())));
-      trace_->write(std::string_view(block).substr(0, static_cast<std::size_t>(from.gcount())));
-      left -= static_cast<std::uint64_t>(from.gcount());
-    }
-    return;
+  if (resume != nullptr && std::filesystem::equivalent(resume->from, options.trace, ignored))
+    return trace_->begin(resume->keep);
+  trace_->begin();
+  if (resume == nullptr) return trace_->write(head_line("trace", scene, options, state_every));
+  std::ifstream from(resume->from, std::ios::binary);
+  std::string block(1U << 16U, '\0');
+  for (std::uint64_t left = resume->keep; left > 0 && from;) {
+    from.read(block.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, block.size())));
+    trace_->write(std::string_view(block).substr(0, static_cast<std::size_t>(from.gcount())));
+    left -= static_cast<std::uint64_t>(from.gcount());
   }
-  trace_ = std::make_unique<Output>(options.trace, resume->keep);
 }
 
 void TraceFiles::line(std::string_view text) {

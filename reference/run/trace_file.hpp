@@ -41,7 +41,11 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k);
 /// Writes what a run reports to whichever of the two files its options ask for.
 class TraceFiles {
  public:
-  TraceFiles(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
+  /// Opens and locks both and touches neither: the start of a run may take long, or be refused.
+  explicit TraceFiles(const RunOptions& options);
+
+  /// Writes what stands before the first line of the run: the head or, where a run is taken up, what was.
+  void begin(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
              const ResumePoint* resume);
 
   bool has_trace() const { return trace_ != nullptr; }

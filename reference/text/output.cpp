@@ -23,16 +23,20 @@ std::string message(const std::string& path, const char* action) {
 
 }  // namespace
 
-Output::Output(const std::string& path) : path_(path) {
-  open_locked(O_CREAT);
-  if (is_file_ && ::ftruncate(descriptor_, 0) != 0) fail("empty the file");
+Output::Output(const std::string& path) : Output(path, Reserve::only) {
+  begin();
 }
 
-Output::Output(const std::string& path, std::uint64_t keep) : path_(path) {
-  open_locked(0);
+Output::Output(const std::string& path, Reserve) : path_(path) {
+  open_locked(O_CREAT);
+}
+
+void Output::begin(std::uint64_t keep) {
+  made_empty_ = false;
+  if (!is_file_) return;
   const off_t end = static_cast<off_t>(keep);
   if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end)
-    fail("go on in the file");
+    fail(keep == 0 ? "empty the file" : "go on in the file");
 }
 
 Output::Output(const std::string& path, Append) : path_(path) {
@@ -44,10 +48,11 @@ void Output::open_locked(int mode) {
     descriptor_ = STDOUT_FILENO;
     return;
   }
-  do {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_EXCL | mode, 0666);
+  made_empty_ = descriptor_ >= 0 && (mode & O_APPEND) == 0;
+  while (descriptor_ < 0 && (errno == EEXIST || errno == EINTR))  // EINTR: a pipe that nobody reads yet
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | mode, 0666);
-  } while (descriptor_ < 0 && errno == EINTR);  // a pipe that nobody reads yet
-  if (descriptor_ < 0) fail((mode & O_CREAT) != 0 ? "create the file" : "open the file");
+  if (descriptor_ < 0) fail("create the file");
   struct stat about = {};
   is_file_ = ::fstat(descriptor_, &about) == 0 && S_ISREG(about.st_mode);
   if (!is_file_ || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
@@ -58,6 +63,7 @@ void Output::open_locked(int mode) {
 }
 
 Output::~Output() {
+  if (made_empty_) ::unlink(path_.c_str());
   try {
     close();
   } catch (const OutputError&) {

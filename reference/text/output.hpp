@@ -20,17 +20,21 @@ class OutputError : public std::runtime_error {
 class Output {
  public:
   enum class Append { at_end };
+  enum class Reserve { only };
 
   /// Creates or empties the file.
   explicit Output(const std::string& path);
-  /// Keeps the first `keep` bytes of an existing file and goes on behind them.
-  Output(const std::string& path, std::uint64_t keep);
+  /// Opens and locks the file, and leaves what it holds as it is until begin(): for who has to compute a
+  /// while before the first line. A file that was made for it, and never begun, is removed again.
+  Output(const std::string& path, Reserve only);
   /// Creates the file if it is not there, and goes on at its end.
   Output(const std::string& path, Append at_end);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
+  /// Keeps the first `keep` bytes of the file and goes on behind them.
+  void begin(std::uint64_t keep = 0);
   void write(std::string_view text);
   /// Hands everything to the system.
   void flush();
@@ -44,7 +48,8 @@ class Output {
 
   std::string path_;
   int descriptor_ = -1;
-  bool is_file_ = false;  ///< rather than a pipe, a terminal, a device
+  bool is_file_ = false;     ///< rather than a pipe, a terminal, a device
+  bool made_empty_ = false;  ///< by us, and nothing was begun in it
   std::string buffer_;
 };
 

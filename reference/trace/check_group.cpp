@@ -110,4 +110,14 @@ std::optional<GroupProblem> group_problem(const StateData::Group& group,
   return Tree(group, mass_of, digits).problem();
 }
 
+std::optional<std::string> expiry_problem(const HexTime& expiry, const HexTime& now, double dt, int digits,
+                                          bool of_our_run) {
+  if (std::isinf(dt) && expiry[0] == "inf") return std::nullopt;
+  if (expiry[0] == "inf" || !is_normal_time(expiry, digits) || !is_not_after(now, expiry))
+    return "is no time, or before \"now\": the body would have parted";
+  if (std::isinf(dt) || is_not_after_sum(expiry, now, dt, digits, of_our_run ? 2 * digits - 2 : digits - 1))
+    return std::nullopt;
+  return "is later than \"now\" + dt_restitute, which no load sets";
+}
+
 }  // namespace tps

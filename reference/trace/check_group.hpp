@@ -23,4 +23,11 @@ struct GroupProblem {
 std::optional<GroupProblem> group_problem(const StateData::Group& group,
                                           const std::function<double(std::int32_t)>& mass_of, int digits);
 
+/// What is wrong with the expiry of a body, if anything: a load, which is not after `now`, sets it to its own
+/// time + dt, dt = dt_restitute. That sum is rounded to hi + lo in our runs, by 2 u² (t + dt) (after() in
+/// engine/clock.hpp; 4 u² here, since t and hi differ by u t), and to one number by other programs; dt itself
+/// to a number of the scalar.
+std::optional<std::string> expiry_problem(const HexTime& expiry, const HexTime& now, double dt, int digits,
+                                          bool of_our_run);
+
 }  // namespace tps

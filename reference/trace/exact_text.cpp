@@ -54,6 +54,16 @@ bool is_not_after(const HexTime& a, const HexTime& b) {
              {digits_of(a[0]), digits_of(a[1]), negated(digits_of(b[0])), negated(digits_of(b[1]))}) <= 0;
 }
 
+bool is_not_after_sum(const HexTime& a, const HexTime& b, double dt, int digits, int sum_digits) {
+  const auto lowered = [](HexDigits x, int by) {
+    x.exponent -= by;
+    return x;
+  };
+  const HexDigits hi = negated(digits_of(b[0])), delay = negated(hex_digits(dt));
+  return sign_of_sum({digits_of(a[0]), digits_of(a[1]), hi, negated(digits_of(b[1])), delay,
+                      lowered(delay, digits), lowered(hi, sum_digits), lowered(delay, sum_digits)}) <= 0;
+}
+
 bool is_normal_time(const HexTime& time, int digits) {
   constexpr int kOfDouble = 53;
   const HexFloat quick_hi = parse_hex_float(time[0]);

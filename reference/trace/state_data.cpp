@@ -8,6 +8,7 @@
 #include "reference/text/checksum.hpp"
 #include "reference/text/fields.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 
 namespace tps {
@@ -77,7 +78,7 @@ std::string content_of(const StateData& state, const Hex& t) {
   head["now"] = state.now;
   head["last_event"] = state.last_event;
   head["progress_event"] = state.progress_event;
-  std::string text = head.dump();
+  std::string text = json_text(head);
   text.back() = ',';
   append_particles(text, state.particles);
   ordered line;
@@ -96,7 +97,7 @@ std::string content_of(const StateData& state, const Hex& t) {
   line["counts"] = state.counts;
   line["quantities"] = state.quantities;
   line["observations"] = state.observations;
-  text.append(",").append(line.dump(), 1);
+  text.append(",").append(json_text(line), 1);
   return text;
 }
 

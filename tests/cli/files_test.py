@@ -1,6 +1,8 @@
 """Descriptors that are closed, outputs that are something else of the same call, and two writers of one file.
 Argument: the program."""
+import fcntl
 import itertools
+import json
 import os
 import pathlib
 import shutil
@@ -210,6 +212,28 @@ def exclude_two_writers(tps, failures):
             (folder / name).unlink()
 
 
+def refuse_a_locked_output_before_the_start(tps, failures):
+    """The start of a run can take minutes: its files are locked before it, and touched after it. A start that fails shows
+    which comes first."""
+    overflowing = {"tps": 1, "dimension": 2, "duration": 10, "species": {"a": {"mass": 1, "radius": 0.5}},
+                   "pairs": [{"between": ["a", "a"], "blocking": {"c_rebound": 1}}],
+                   "particles": [{"species": "a", "position": [0, 0], "velocity": [1e160, 0]}, {"species": "a", "position": [3, 0]}]}
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        (folder / "scene").write_text(json.dumps(overflowing))
+        (folder / "kept").write_text("of before")
+        for option in ("-o", "--checkpoint"):
+            words = [tps, "run", "scene", "-q", option, "kept"]
+            code, _, err = processes.run(words, cwd=scratch)
+            failures.expect(code == BAD_INPUT and (folder / "kept").read_text() == "of before", f"a start that fails leaves {option} as it was: {code}, {err}")
+            with open(folder / "kept") as held:
+                fcntl.flock(held, fcntl.LOCK_EX)
+                code, _, err = processes.run(words, cwd=scratch)
+            failures.expect(code == OUTPUT_FAILED and "another process" in err, f"{option} is locked before the start: {code}, {err}")
+            code, _, err = processes.run([tps, "run", "scene", "-q", option, "made"], cwd=scratch)
+            failures.expect(code == BAD_INPUT and not (folder / "made").exists(), f"a start that fails makes no {option}: {code}, {err}")
+
+
 def main():
     tps = os.path.abspath(sys.argv[1])
     failures = processes.Failures()
@@ -217,6 +241,7 @@ def main():
     refuse_shared_files(tps, failures)
     survive_closed_descriptors(tps, failures)
     exclude_two_writers(tps, failures)
+    refuse_a_locked_output_before_the_start(tps, failures)
     return failures.conclude("files of a call")
 
 

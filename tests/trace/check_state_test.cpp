@@ -148,6 +148,23 @@ std::vector<Lie> lies() {
                   g.expiry = {"0x0p+0", "0x0p+0"};
                 });
        }},
+      {"expires after ages",
+       [](S& s) {
+         return change_first<decltype(s.groups)>(s.groups, [](auto& g) {
+           g.expiry = {"0x1p+900", "0x0p+0"};
+         });
+       }},
+      {"never expires",
+       [](S& s) {
+         return change_first<decltype(s.groups)>(s.groups, [](auto& g) { g.expiry = {"inf", "0x0p+0"}; });
+       }},
+      {"expires too late",
+       [](S& s) {
+         const double now = from_hex<double>(s.now[0]).value();
+         return change_first<decltype(s.groups)>(s.groups, [&](auto& g) {
+           g.expiry = {to_hex(static_cast<float>(now + 0.5)), "0x0p+0"};
+         });
+       }},
       {"born ahead",
        [](S& s) {
          return change_first<decltype(s.groups)>(s.groups, [](auto& g) { g.birth = {"0x1p+40", "0x0p+0"}; });
