@@ -97,7 +97,7 @@ std::string regression_line(const Finding& finding, const std::string& subject) 
                   {"case", case_json(finding.shrunk)},
                   {"subject", subject},
                   {"why", finding.outcome.why}};
-  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(line) + "\n";
 }
 
 std::vector<Regression> read_regressions(std::istream& in, const std::string& name) {
@@ -133,7 +133,7 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
   for (const Finding* finding : findings) {
     std::vector<std::string> seen;
     for (const Question& question : finding->questions) {
-      const std::string in = question.in.dump();
+      const std::string in = json_text(question.in);
       if (std::find(seen.begin(), seen.end(), in) != seen.end()) continue;
       seen.push_back(in);
       const Json answer = question.op == "distance" ? Json() : answered(question);
@@ -159,8 +159,8 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
                                    nullptr};
     Json header = Json::parse(vectors::header_line(stratum, seed, {0, section.size()}));
     header["generator"] = "tps properties";
-    text += header.dump() + "\n";
-    for (const Json& line : section) text += line.dump() + "\n";
+    text += json_text(header) + "\n";
+    for (const Json& line : section) text += json_text(line) + "\n";
   }
   return text;
 }

@@ -93,7 +93,7 @@ std::string command_of(const Question& question) {
   const bool is_plain = std::all_of(question.in.begin(), question.in.end(), [](const Json& value) {
     return value.is_string() || (value.is_array() && !value.empty() && value[0].is_string());
   });
-  if (!is_plain) return fmt::format("echo '{}' | {} --in -", question.in.dump(), text);
+  if (!is_plain) return fmt::format("echo '{}' | {} --in -", json_text(question.in), text);
   for (const auto& [key, value] : question.in.items()) {
     text += fmt::format(" {}=", key);
     if (!value.is_array()) {

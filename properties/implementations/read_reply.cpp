@@ -24,7 +24,7 @@ std::string words(const Json& value) {
 }  // namespace
 
 std::string request_line(std::uint64_t seq, const Question& question) {
-  return Json{{"seq", seq}, {"op", question.op}, {"in", question.in}}.dump();
+  return json_text(Json{{"seq", seq}, {"op", question.op}, {"in", question.in}});
 }
 
 Answer read_reply(std::string_view line, std::uint64_t seq) {

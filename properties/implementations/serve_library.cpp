@@ -17,6 +17,7 @@
 #include "properties/case.hpp"
 #include "reference/equations/timing_verdict.hpp"
 #include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps::properties {
 namespace {
@@ -205,15 +206,27 @@ Json offered(const tps_implementation& table) {
 Json reply_to(const tps_implementation& table, const Json& request) {
   if (request.contains("hello"))
     return {{"name", table.name}, {"bits", table.bits}, {"ops", offered(table)}, {"group", "inner"}};
-  Json reply{{"seq", request.at("seq")}};
+  Json reply{{"seq", request.value("seq", Json())}};
   try {
     reply["out"] = Request(table, request.at("in")).answer(request.at("op").get<std::string>());
   } catch (const NotOffered&) {
     reply["skip"] = "unknown_op";
   } catch (const Refused&) {
     reply["error"] = "refused";
+  } catch (const Json::exception&) {
+    reply["error"] = "bad_request";  // a key that is missing, or of another kind
   }
   return reply;
+}
+
+Json reply_to_line(const tps_implementation& table, const std::string& line) {
+  try {
+    const Json request = parse_plain_json(line, "request");
+    if (request.is_object()) return reply_to(table, request);
+    return {{"seq", nullptr}, {"error", "bad_request"}};
+  } catch (const InputError& error) {
+    return {{"seq", nullptr}, {"error", "bad_json"}, {"message", first_problem(error)}};
+  }
 }
 
 /// Requests and replies on descriptors of our own: what a library prints or closes is not the conversation.
@@ -233,7 +246,7 @@ class Streams {
     return false;
   }
   void write(const Json& reply) {
-    const std::string text = reply.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = json_text(reply) + "\n";
     std::fwrite(text.data(), 1, text.size(), replies_);
     std::fflush(replies_);
   }
@@ -254,7 +267,7 @@ int serve_library(const std::string& path) {
   std::string line;
   try {
     const tps_implementation& table = load_table(path);
-    while (streams.read(line)) streams.write(reply_to(table, Json::parse(line)));
+    while (streams.read(line)) streams.write(reply_to_line(table, line));
     return 0;
   } catch (const std::runtime_error& error) {
     streams.write({{"error", error.what()}});

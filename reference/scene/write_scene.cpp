@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps {
 namespace {
 
 std::string text(const std::string& value) {
-  return nlohmann::json(value).dump();
+  return json_text(nlohmann::ordered_json(value));
 }
 std::string text(double value) {
   return std::isinf(value) ? "\"inf\"" : write_shortest(value);

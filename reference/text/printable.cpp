@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <optional>
@@ -101,7 +102,14 @@ std::string printable_lines(std::string_view text, std::size_t most) {
 
 std::string escape_in_json(std::string_view json) {
   std::string result;
+  result.reserve(json.size());
   while (!json.empty()) {
+    // Nearly all of any text.
+    const auto end = std::find_if(json.begin(), json.end(), [](char c) { return c < ' ' || c > '~'; });
+    const auto plain = static_cast<std::size_t>(end - json.begin());
+    result += json.substr(0, plain);
+    json.remove_prefix(plain);
+    if (json.empty()) break;
     const Piece piece = first_piece(json);
     const std::uint32_t c = piece.code.value_or(0xFFFD);
     if (c == '\n' || c == '\t' || !is_unprintable(c)) {

@@ -73,7 +73,7 @@ def make_files(tps, folder, libraries):
     made("scene", "gas", "--particles", "100", "--duration", "1e6", "-o", "long")
     made("run", "long", "-q", "-o", "long_trace", "--max-events", "60000")
     made("scene", "gas", "--particles", "20000", "--density", "0.1", "-o", "huge")
-    made("vectors", "generate", "--op", "load", "--level", "3", "--count", "3000", "-o", "folder")
+    made("vectors", "generate", "--op", "load", "--stratum", "plain", "--level", "3", "--count", "3000", "-o", "folder")
     sizes = sorted((folder / "folder").iterdir(), key=lambda path: path.stat().st_size)
     (folder / "many").write_bytes(20 * sizes[-1].read_bytes())
     made("vectors", "generate", "--op", "load", "--level", "1", "-o", "few")

@@ -39,8 +39,8 @@ class Marked:
     orphans_are_ours = False
 
     def __init__(self, words, environment=None, **options):
-        self.mark = f"TPS_TEST_MARK=m{os.getpid()}x{next(_numbers)}x"
-        key, value = self.mark.split("=")
+        key, value = "TPS_TEST_MARK", f"m{os.getpid()}x{next(_numbers)}x"
+        self.mark = f"{key}={value}".encode()
         options.setdefault("stdin", subprocess.DEVNULL)
         options.setdefault("stdout", subprocess.PIPE)
         options.setdefault("stderr", subprocess.PIPE)
@@ -50,14 +50,15 @@ class Marked:
     def left(self):
         """Processes with the mark that still run; a zombie does not."""
         found = []
-        for entry in pathlib.Path("/proc").iterdir():
-            if not entry.name.isdigit() or int(entry.name) == self.process.pid:
+        for name in os.listdir("/proc"):
+            if not name.isdigit() or int(name) == self.process.pid:
                 continue
             try:
-                if self.mark.encode() not in (entry / "environ").read_bytes():
-                    continue
-                if (entry / "stat").read_text().rsplit(")", 1)[1].split()[0] != "Z":
-                    found.append(int(entry.name))
+                with open(f"/proc/{name}/environ", "rb", buffering=0) as environment:
+                    if self.mark not in environment.readall():
+                        continue
+                if pathlib.Path(f"/proc/{name}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z":
+                    found.append(int(name))
             except (OSError, IndexError):
                 continue  # it has just ended
         return found

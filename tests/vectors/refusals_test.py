@@ -2,9 +2,10 @@
 
 refusals_test.py PROGRAM SOURCE_DIR
 """
-import json, os, subprocess, sys
+import json, os, subprocess, sys, tempfile
 
 program, source = sys.argv[1:]
+scratch = tempfile.TemporaryDirectory()
 
 
 def tps(*words, text=""):
@@ -39,4 +40,20 @@ for name in ("load.plain", "block_time.plain", "order.plain", "tether_response.p
         run = verify(path, replies)
         if (run.returncode, run.stdout) != (code, says):
             sys.exit(f"{name}, {what}: exit code {run.returncode}, {run.stdout!r}; expected {code}, {says!r}\n{run.stderr[:500]}")
+
+# A header that names an operation which there is not: nobody can answer, and nobody is excused.
+lines = open(path).read().replace('"op":"next_event"', '"op":"warp"')
+for words in (("requests", "-"), ("verify", "-")):
+    run = tps("vectors", *words, text=lines)
+    if run.returncode != (3 if words[0] == "requests" else 1) or "warp" not in run.stderr:
+        sys.exit(f"an operation that there is not, {words}: exit code {run.returncode}\n{run.stderr[:500]}")
+    tried += 1
+unknown = os.path.join(scratch.name, "warp.jsonl")
+with open(unknown, "w") as file:
+    file.write(lines)
+run = tps("vectors", "verify", path, unknown, "--answers", "-", text="".join(json.dumps(r) + "\n" for r in right) +
+          "".join(json.dumps({"seq": len(right) + n + 1, "skip": "unknown_op"}) + "\n" for n in range(lines.count("\n") - 1)))
+if run.returncode != 1 or f"{lines.count(chr(10)) - 1} wrong" not in run.stdout:
+    sys.exit(f"skips of an operation that there is not: exit code {run.returncode}, {run.stdout}\n{run.stderr[:500]}")
+tried += 1
 print(f"{tried} sets of replies")

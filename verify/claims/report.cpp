@@ -5,6 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
+
 namespace tps::claims {
 
 std::string claims_text(const std::vector<Claim>& claims) {
@@ -39,7 +41,7 @@ std::string claims_json(const std::vector<Claim>& claims) {
                       {"holds", claim.holds()},
                       {"figures", figures}});
   }
-  return result.dump(2) + "\n";
+  return json_text(result, 2) + "\n";
 }
 
 }  // namespace tps::claims

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
+
 namespace tps::eval {
 namespace {
 
@@ -83,7 +85,7 @@ std::string report_json(std::string_view operation, std::string_view scalar, con
                                         {"scalar", scalar},
                                         {"steps", to_json(report.steps)},
                                         {"out", to_json(report.results)}};
-  return document.dump() + "\n";
+  return json_text(document) + "\n";
 }
 
 }  // namespace tps::eval

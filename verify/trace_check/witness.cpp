@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/vectors/generate.hpp"
 #include "verify/vectors/known_answer.hpp"
 
@@ -41,7 +42,7 @@ std::string case_of(const CheckReport& report, const Finding& f) {
   line["level"] = 1;
   line["accept"] = accepted(answer);
   line["why"] = f.message;
-  return header.dump() + "\n" + line.dump() + "\n";
+  return json_text(header) + "\n" + json_text(line) + "\n";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reference/text/input_error.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps::vectors {
 namespace {
@@ -87,15 +88,15 @@ std::optional<std::string> wrong_numbers(const std::string& key, const Json& giv
     if (found[k] == known[k].nearest) continue;
     return fmt::format("{} is {}, the nearest double is {}; accepted: {}", key,
                        hex(found[k]).get<std::string>(), hex(known[k].nearest).get<std::string>(),
-                       accept.dump());
+                       json_text(accept));
   }
   return std::nullopt;
 }
 
 std::optional<std::string> wrong_word(const char* key, const Json& known, const Json& out) {
-  if (!out.contains(key)) return fmt::format("{} is missing; it is {}", key, known.dump());
+  if (!out.contains(key)) return fmt::format("{} is missing; it is {}", key, json_text(known));
   if (out.at(key) == known) return std::nullopt;
-  return fmt::format("{} is {}; it is {}", key, out.at(key).dump(), known.dump());
+  return fmt::format("{} is {}; it is {}", key, json_text(out.at(key)), json_text(known));
 }
 
 std::optional<std::string> wrong_time(const Json& known_case, const Json& out) {
@@ -108,8 +109,8 @@ std::optional<std::string> wrong_time(const Json& known_case, const Json& out) {
   const Json given = out.value("t", Json());
   if (known.is_null() || given.is_null()) {
     if (known.is_null() && given.is_null()) return std::nullopt;
-    return known.is_null() ? fmt::format("t is {}; there is no event", given.dump())
-                           : fmt::format("t is absent; the event is at {}", known.at(0).dump());
+    return known.is_null() ? fmt::format("t is {}; there is no event", json_text(given))
+                           : fmt::format("t is absent; the event is at {}", json_text(known.at(0)));
   }
   return wrong_numbers("t", given, {target(known, known_case.at("nearest"))}, known_case.at("cond"),
                        known_case.at("accept"));
@@ -154,7 +155,7 @@ std::optional<std::string> wrong_classes(const Json& accept) {
   if (!accept.is_array() || accept.empty()) return "accept is not a list of classes: R, U(k), K(k)";
   try {
     for (const Json& text : accept) {
-      if (!text.is_string()) return fmt::format("accept has {}, which is no class", text.dump());
+      if (!text.is_string()) return fmt::format("accept has {}, which is no class", json_text(text));
       static_cast<void>(accepted_class(text.get<std::string>()));
     }
   } catch (const std::invalid_argument& error) {
@@ -200,7 +201,7 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
   if (const auto why = unanswerable([&] { proven = known_answer(op, known_case.at("in")); })) return why;
   for (const auto& [key, value] : proven.items()) {
     const Json stored = known_case.value(key, Json());
-    if (stored != value) return fmt::format("{} is {}; proven: {}", key, stored.dump(), value.dump());
+    if (stored != value) return fmt::format("{} is {}; proven: {}", key, json_text(stored), json_text(value));
   }
   return wrong_classes(known_case.value("accept", Json()));
 }

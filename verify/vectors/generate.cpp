@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "reference/text/plain_json.hpp"
+
 namespace tps::vectors {
 
 const std::vector<Stratum>& strata() {
@@ -38,7 +40,7 @@ std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent
                     {"seed", seed},
                     {"first", extent.first},
                     {"count", extent.count}};
-  return header.dump() + "\n";
+  return json_text(header) + "\n";
 }
 
 std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t number) {
@@ -52,7 +54,7 @@ std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t 
   if (together == 2) line["twin"] = id(number ^ 1U);
   line["level"] = number < kSmokeCases ? 1 : number < static_cast<std::uint64_t>(stratum.committed) ? 2 : 3;
   line["accept"] = stratum.accept;
-  return line.dump() + "\n";
+  return json_text(line) + "\n";
 }
 
 void write_stratum(const Stratum& stratum, std::uint64_t seed, const Extent& extent,

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/protocol/read_input.hpp"
@@ -88,12 +89,12 @@ double read_number(const Json& value) {
     if (number.verdict == HexFloat::Verdict::exact) return number.value;
   }
   throw std::invalid_argument(
-      fmt::format("{} is not a number; allowed: a JSON number, a hexadecimal float, \"inf\"", value.dump()));
+      fmt::format("{} is not a number; allowed: a JSON number, a hexadecimal float, \"inf\"", shown(value)));
 }
 
 std::vector<double> read_vector(const Json& value) {
   if (!value.is_array() || value.size() < 2 || value.size() > 3) {
-    throw std::invalid_argument(fmt::format("{} is not a list of 2 or 3 numbers", value.dump()));
+    throw std::invalid_argument(fmt::format("{} is not a list of 2 or 3 numbers", shown(value)));
   }
   std::vector<double> x;
   for (const Json& component : value) x.push_back(read_number(component));

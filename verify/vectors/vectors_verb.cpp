@@ -13,6 +13,7 @@
 #include "reference/text/file_kind.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/line_source.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "reference/text/output.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
@@ -21,6 +22,7 @@
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/protocol/answer.hpp"
 #include "verify/vectors/check_answers.hpp"
 #include "verify/vectors/generate.hpp"
 #include "verify/vectors/read_vectors.hpp"
@@ -126,7 +128,7 @@ struct Replies {
   std::set<std::string> offered;
 
   const Json* find(const Json& known, std::uint64_t seq) const {
-    auto reply = by_case.find(known.at("id").dump());
+    auto reply = by_case.find(json_text(known.at("id")));
     if (reply == by_case.end()) reply = by_case.find(std::to_string(seq));
     return reply == by_case.end() ? nullptr : &reply->second;
   }
@@ -167,7 +169,7 @@ Replies read_replies(const std::string& path) {
       throw InputError(
           {{path, number, "", R"(is not a reply; allowed: {"id":…,"out":{…}} or {"seq":n,"out":{…}})"}});
     }
-    const std::string key = (reply.contains("id") ? reply["id"] : reply["seq"]).dump();
+    const std::string key = json_text(reply.contains("id") ? reply["id"] : reply["seq"]);
     replies.by_case[key] = std::move(reply);
   }
   return replies;
@@ -220,6 +222,14 @@ std::string name_of(const Json& known) {
              : "case";
 }
 
+/// What is wrong where the header names an operation that is none: nobody can be asked, so nobody is excused.
+std::optional<std::string> unknown_operation(const std::string& op) {
+  const std::vector<std::string>& known = protocol::operation_names();
+  if (std::find(known.begin(), known.end(), op) != known.end()) return std::nullopt;
+  return fmt::format("the header names operation \"{}\", which there is not; did you mean {}?",
+                     printable(op, kShownOfText), nearest_name(op, known));
+}
+
 int verify_cases(const std::vector<std::string>& files) {
   require_distinct(files);
   Findings findings;
@@ -237,8 +247,7 @@ int verify_cases(const std::vector<std::string>& files) {
 /// The first line of what somebody else wrote.
 std::string shortened(const Json& reply) {
   constexpr std::size_t longest = 200;
-  const std::string text = reply.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  return text.size() <= longest ? text : text.substr(0, longest) + "…";
+  return printable(json_text(reply), longest);
 }
 
 struct AskedCase {
@@ -259,6 +268,8 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      ++seq;
                      const std::string id = name_of(known);
+                     if (const auto unknown = unknown_operation(op))
+                       return findings.problem(place, id + ": " + *unknown);
                      const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
                      if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
                      if (reply->contains("out")) {
@@ -295,10 +306,12 @@ void write_requests(const std::vector<std::string>& files) {
   std::uint64_t seq = 0;
   read_all(files,
            {[&](const std::string& op, const Json& known, const vectors::Place& place) {
+              if (const auto unknown = unknown_operation(op))
+                throw InputError({{place.file, place.line, "", *unknown}});
               if (!known.is_object() || !known.contains("in")) {
                 throw InputError({{place.file, place.line, "", "the case has no \"in\", its question"}});
               }
-              out.write(Json{{"seq", ++seq}, {"op", op}, {"in", known.at("in")}}.dump() + "\n");
+              out.write(json_text(Json{{"seq", ++seq}, {"op", op}, {"in", known.at("in")}}) + "\n");
             },
             [](const std::string& problem, const vectors::Place& place) {
               throw InputError({{place.file, place.line, "", problem}});
