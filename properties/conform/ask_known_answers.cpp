@@ -12,6 +12,7 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/eval/operations.hpp"
 
 namespace tps::properties::conform {
@@ -105,7 +106,8 @@ class KnownAnswers {
     } else if (row.reference && *score) {
       ++*row.reference;
     }
-    row.add(found, {found.which, known.id, {}, {command_of(known.question)}, known.question.in.dump(), 0, 0});
+    row.add(found,
+            {found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in), 0, 0});
     if (found.which != Class::wrong) return;
     for (const std::string& name : hypotheses_fitting(known, answer.out)) ++row.hypotheses[name];
   }

@@ -10,6 +10,7 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties::conform {
@@ -110,7 +111,7 @@ class Laws {
                  {},
                  {}};
     for (const Question& question : found.questions) made.commands.push_back(command_of(question));
-    if (!found.questions.empty()) made.in = found.questions.back().in.dump();
+    if (!found.questions.empty()) made.in = json_text(found.questions.back().in);
     return made;
   }
 

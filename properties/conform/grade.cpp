@@ -9,6 +9,7 @@
 #include "properties/conform/response_margin.hpp"
 #include "properties/conform/timing_margin.hpp"
 #include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/vectors/known_answer.hpp"
 
@@ -201,7 +202,8 @@ Grade grade(const KnownQuestion& known, const Answer& answer, const Format& form
     return {Class::refused, answer.reason};
   }
   if (!answer.out.is_object())
-    return {Class::wrong, "out is " + printable(answer.out.dump(), kShownOfText) + "; it must be an object"};
+    return {Class::wrong,
+            "out is " + printable(json_text(answer.out), kShownOfText) + "; it must be an object"};
   return graded(known, answer.out, format, stable);
 }
 

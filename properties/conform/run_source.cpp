@@ -8,6 +8,7 @@
 #include "properties/implementations/child_process.hpp"
 #include "properties/runs/scratch_file.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -55,7 +56,7 @@ Run traced(const Json& out) {
   const Json lines = out.is_object() ? out.value("trace", Json()) : Json();
   Run found;
   if (!lines.is_array()) return failed("the answer to simulate has no list trace");
-  for (const Json& line : lines) found.trace += line.dump() + "\n";
+  for (const Json& line : lines) found.trace += json_text(line) + "\n";
   return found;
 }
 
