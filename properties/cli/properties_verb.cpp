@@ -3,20 +3,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
 
+#include "properties/cli/ask_run_laws.hpp"
+#include "properties/cli/replay_files.hpp"
 #include "properties/explore/explore.hpp"
 #include "properties/explore/regressions.hpp"
 #include "properties/explore/report.hpp"
 #include "properties/implementations/program.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
-#include "reference/text/file_kind.hpp"
-#include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cli/named_files.hpp"
@@ -30,27 +28,38 @@ namespace {
 
 using namespace tps::properties;
 
+constexpr std::uint64_t kCases = 500;
+constexpr double kTimeOfAReply = 5, kTimeOfARun = 60;  // seconds
+
 constexpr const char* kPropertiesFooter =
     R"(A law is judged by the unit roundoff of the implementation: hello's "bits", the table's, or --bits.
 A law that says bitwise holds to rounding where answers differ by no more than the errors that its operation may
 make: that is said, and fails with --bitwise only. A question that has an answer must not be refused.
 Exit codes: 0 every law held, 1 a law is broken or a question refused, 4 the implementation crashed, hung or broke the
 protocol, 5 no law was met by any case, 130 interrupted.
+With --runs the laws are those of whole runs (docs/properties_runs.md), and COMMAND takes the options of `tps run`.
 Examples: tps properties --minutes 5
           tps properties --law 'Eq4Laws.*' -- tps serve
-          tps properties --library ./libmine.so -o broken.jsonl)";
+          tps properties --library ./libmine.so -o broken.jsonl
+          tps properties --runs --cases 20 --seed 1 -- ./my_simulator run)";
 
 struct PropertiesArguments {
   bool list = false;
+  bool runs = false, hazards = false;  // laws of whole runs; what their scenes meet
+  std::string timing = "stable";       // of the reference's runs
   std::vector<std::string> patterns;
-  std::uint64_t cases = 500;
+  std::optional<std::uint64_t> cases;
   double minutes = 0;
   std::optional<std::uint64_t> seed;
   std::uint64_t first = 0;
   std::string scalar = "double";
   std::string library;
   int bits = 0;
-  double timeout = 5;
+  std::optional<double> timeout;
+
+  std::chrono::milliseconds time_limit(double seconds) const {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(timeout.value_or(seconds) * 1000));
+  }
   std::string known_answers;
   std::string regressions;
   std::vector<std::string> replayed;
@@ -65,7 +74,7 @@ struct PropertiesArguments {
 std::unique_ptr<Implementation> subject_of(const PropertiesArguments& a) {
   if (!a.library.empty() && !a.words.empty())
     throw CLI::ValidationError("--library and a command are two implementations; give one");
-  ProgramOptions options{std::chrono::milliseconds(static_cast<int>(a.timeout * 1000)), std::nullopt};
+  ProgramOptions options{a.time_limit(kTimeOfAReply), std::nullopt};
   if (a.bits > 0) options.bits = a.bits;
   if (!a.library.empty()) return shared_library(a.library, options);
   if (!a.words.empty()) return command(a.words, options);
@@ -82,7 +91,7 @@ Plan plan_of(const PropertiesArguments& a) {
   if (!a.seed && a.minutes > 0) plan.seed = std::random_device()();
   plan.first = a.first;
   plan.bitwise = a.bitwise;
-  plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases;
+  plan.count = a.minutes > 0 ? std::uint64_t{1} << 53 : a.cases.value_or(kCases);
   return plan;
 }
 
@@ -169,33 +178,9 @@ int explore_laws(const PropertiesArguments& a) {
   return exit_code_of(exploration);
 }
 
-void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replay& replay) {
-  refuse_other_kinds_of_file(path, "a file of cases of broken laws", {FileKind::regressions});
-  std::ifstream file(path, std::ios::binary);
-  std::error_code unknown;
-  if (!file || std::filesystem::is_directory(path, unknown))
-    throw InputError({{path, 0, "", "cannot be read; name regression files"}});
-  using Kind = properties::Outcome::Kind;
-  for (const Regression& regression : read_regressions(file, path)) {
-    if (!fits(regression.shrunk, subject.format()) || !subject.given_up().empty()) {
-      ++replay.not_asked;
-      continue;
-    }
-    const Examined found = examine(*regression.law, subject, regression.shrunk, bitwise);
-    const Kind kind = found.outcome.kind;
-    if (found.outcome.is_finding()) {
-      replay.findings.push_back(
-          {regression.law, 0, regression.shrunk, regression.shrunk, found.outcome, found.questions});
-    } else {
-      ++(kind == Kind::holds || kind == Kind::rounding ? replay.held : replay.not_asked);
-    }
-  }
-}
-
 int replay_cases(const PropertiesArguments& a) {
   const auto subject = subject_of(a);
-  Replay replay{subject->name(), 0, 0, {}};
-  for (const std::string& path : a.replayed) replay_file(path, a.bitwise, *subject, replay);
+  const Replay replay = replay_files(a.replayed, a.bitwise, *subject);
   write_result("-", a.format == "json" ? replay_json(replay) : replay_text(replay));
   say_given_up(*subject);
   for (const Finding& finding : replay.findings)
@@ -204,11 +189,31 @@ int replay_cases(const PropertiesArguments& a) {
   return replay.held > 0 ? kDone : kUndecided;
 }
 
+/// Laws of whole runs instead of single operations.
+int run_properties_of_runs(const PropertiesArguments& a) {
+  if (a.scalar == "certified")
+    throw CLI::ValidationError("certified answers are of single operations; --runs simulates in a scalar");
+  if (a.list || a.hazards) {
+    write_result("-", (a.list ? table_of_run_laws() : "") + (a.hazards ? table_of_hazards() : ""));
+    return kDone;
+  }
+  RunLawQuestions questions;
+  questions.patterns = a.patterns;
+  questions.scalar = a.scalar;
+  questions.timing = a.timing;
+  questions.cases = a.cases.value_or(questions.cases);
+  questions.seed = a.seed ? *a.seed : std::random_device()();
+  questions.timeout = a.time_limit(kTimeOfARun);
+  questions.command = a.words;
+  return ask_run_laws(questions);
+}
+
 int run_properties(const PropertiesArguments& a) {
   if (a.words.empty() ? command_line_has_dashes() : a.words[0].empty()) {
     throw CLI::ValidationError(
         "nothing stands behind --; name a command there, or leave -- out to ask the reference");
   }
+  if (a.runs) return run_properties_of_runs(a);
   if (a.list) {
     const std::vector<const Law*> chosen = plan_of(a).laws;
     write_result("-", a.format == "json" ? list_json(chosen) : list_text(chosen));
@@ -230,10 +235,15 @@ void add_properties(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "properties", "Looks for cases in which an implementation breaks a law, and shrinks them.");
   verb->add_flag("--list", a->list, "Lists the laws instead");
+  CLI::Option* runs = verb->add_flag("--runs", a->runs, "Laws of whole runs instead of single operations");
+  verb->add_flag("--hazards", a->hazards, "Lists what the scenes of such runs meet")->needs(runs);
+  verb->add_option("--timing", a->timing, "Of such runs of the reference")
+      ->check(CLI::IsMember({"paper", "stable", "certified"}))
+      ->capture_default_str()
+      ->needs(runs);
   verb->add_option("--law", a->patterns, "Only laws of this id or number; * stands for anything")->take_all();
-  verb->add_option("--cases", a->cases, "Cases of each law")
-      ->check(integer_from(1, "a number of cases"))
-      ->capture_default_str();
+  verb->add_option("--cases", a->cases, "Cases of each law (default 500; 100 scenes for --runs)")
+      ->check(integer_from(1, "a number of cases"));
   verb->add_option("--minutes", a->minutes, "Instead of --cases: so long, with a seed of its own")
       ->check(number_from(0, 1e5, "a time in minutes"));
   verb->add_option("--seed", a->seed, "Which cases (default: always the same)")
@@ -250,9 +260,8 @@ void add_properties(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(8, 400));
   verb->add_flag("--bitwise", a->bitwise,
                  "A law that says bitwise is broken where it holds to rounding only");
-  verb->add_option("--timeout", a->timeout, "Seconds for a reply")
-      ->check(number_from(0.001, 3600, "a time limit in seconds"))
-      ->capture_default_str();
+  verb->add_option("--timeout", a->timeout, "Seconds for a reply, or for a run (default 5; 60 for --runs)")
+      ->check(number_from(0.001, 86400, "a time limit in seconds"));
   verb->add_option("-o,--output", a->known_answers,
                    "Where known answers to the questions of broken laws go (default of a command or library: "
                    "broken-laws.jsonl)");
@@ -261,6 +270,9 @@ void add_properties(CLI::App& app, int& exit_code) {
   verb->add_option("--replay", a->replayed, "Asks the cases of such files again")->take_all();
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->add_flag("--quiet", a->quiet, "No progress");
+  for (const char* option : {"--minutes", "--first", "--library", "--bits", "--bitwise", "--output",
+                             "--regressions", "--replay", "--format", "--quiet"})
+    verb->get_option(option)->excludes(runs);
   verb->footer(kPropertiesFooter);
   verb->callback([=, &exit_code] { exit_code = run_properties(*a); });
 }

@@ -14,7 +14,8 @@ BAD_NUMBERS = ["nan", "NAN", "-nan", "nan(1)", "-inf", "-1", "1e400", "-1e400", 
 MAYBE = {"inf", "0", "1e308", "1e-320", "18446744073709551615", "0x1p3"}  # taken by some, refused by others
 # Options whose values are words or names, of files and the like; all others are numbers.
 WORDS = {"-h", "--help", "--version", "-o", "--output", "--format", "--checkpoint", "--resume", "--scene", "--witness", "--law", "--library", "--regressions",
-         "--replay", "--in", "--op", "--stratum", "--answers", "--list", "--quiet", "-q", "--why", "--without-random-impulses", "--bitwise", "--trust-draws", "--scalar", "--timing", "--detector"}
+         "--replay", "--in", "--op", "--stratum", "--answers", "--list", "--quiet", "-q", "--why", "--without-random-impulses", "--bitwise", "--trust-draws", "--scalar", "--timing", "--detector",
+         "--profile", "--expect-fail", "--hypotheses", "--runs", "--hazards"}
 # Of a verb what it needs besides.
 NEEDED = {"run": ["scene"], "check": ["trace"], "explain": ["scene"], "draw": ["trace"], "import": ["scenario"], "eval": ["load", "--in", "input"],
           "vectors verify": ["vectors"], "vectors requests": ["vectors"], "properties": ["--law", "Eq6Laws.Law1*", "--cases", "1"],
@@ -91,6 +92,8 @@ def main():
             "properties --": 2, "properties --cases 1 --": 2, "properties -- ''": 2, "properties --list --": 2,
             "vectors verify vectors --answers ''": 2, "properties --library ''": 2, "check trace --scene ''": 2, "run scene -o ''": 2,
             "properties --replay .": 3, "properties --replay /nowhere": 3, "scene terminal --duration inf": 2,
+            "properties --runs --law Nix": 2, "properties --runs --bits 24": 2, "properties --timing paper": 2, "properties --runs --scalar certified": 2,
+            "properties --runs --scalar mp50 --law Momentum": 5, "properties --runs --cases 1 --law Names -- false": 4,
         }
         for text, expected in cases.items():
             words = [word if word != "''" else "" for word in text.split()]
