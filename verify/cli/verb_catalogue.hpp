@@ -1,9 +1,12 @@
 // Which verbs a program has: its folders' (verify/cli/CMakeLists.txt).
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace tps::cli {
 
