@@ -1,7 +1,8 @@
 """Each equation has its header, laws, oracle, tests and page, and one finds the other.
 
 The stem of a header is that of its test. A page docs/eqN.md ends with a table of four rows, header, laws, oracle,
-tests, whose links lead to files of the right folder. Headers and laws name their page in their first comment. README.md
+tests, whose links lead to files of the right folder. Headers and laws name their page in their first comment; laws of one
+equation have the stem of its page: eqN_name_laws.cpp. README.md
 has a row for each equation, whose links are among those of its page.
 """
 
@@ -65,6 +66,9 @@ def missing_pages(root, tables):
         stem = re.match(r"eq\d+(?=_)", path.stem)
         if not pages or (stem and stem[0] not in pages):
             yield f"{name} does not name its page docs/{stem[0] if stem else 'NAME'}.md in its first comment"
+        equations = [page for page in pages if page in tables]
+        if row == "laws" and len(equations) == 1 and not path.name.startswith(equations[0] + "_"):
+            yield f"{name} has laws of docs/{equations[0]}.md alone, but not its stem: call it {equations[0]}_{path.name}"
         for page in pages:
             if page in tables and name not in tables[page].get(row, []):
                 yield f"docs/{page}.md does not name {name} as {row}"
