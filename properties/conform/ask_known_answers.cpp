@@ -2,6 +2,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
+#include "properties/conform/probe.hpp"
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/text/hexfloat.hpp"
@@ -35,8 +37,6 @@ void note_numbers(const Json& value, Environment& environment) {
   } else if (value.is_string()) {
     if (const auto digits = split_hex(value.get_ref<const std::string&>()))
       environment.bits_seen = std::max(environment.bits_seen, significant_bits(*digits));
-    if (const auto x = numbers_of(value); x && x->at(0) != 0 && std::fabs(x->at(0)) < 0x1p-1022)
-      environment.subnormals = true;
   } else if (value.is_number()) {
     environment.bits_seen =
         std::max(environment.bits_seen, significant_bits(hex_digits(value.get<double>())));
@@ -88,7 +88,10 @@ class KnownAnswers {
     plan_.progress(stratum.op + "." + stratum.name);
     std::vector<Question> questions;
     for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
+    const auto start = std::chrono::steady_clock::now();
     const std::vector<Answer> answers = subject_.ask_all(questions);
+    verdict_.environment.seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,
             page_of(stratum.op)};
     row.reference = 0;
@@ -147,6 +150,7 @@ std::string page_of(const std::string& op) {
 
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {
   verdict.environment.bits = subject.format().bits;
+  probe(subject, verdict.environment);
   KnownAnswers(subject, plan, verdict).ask();
 }
 

@@ -37,6 +37,16 @@ Json row_json(const Verdict& verdict, const Row& row) {
   return json;
 }
 
+Json environment_json(const Environment& e) {
+  const auto known = [](const std::optional<bool>& fact) { return fact ? Json(*fact) : Json(); };
+  return {{"bits", e.bits},
+          {"bits_seen", e.bits_seen},
+          {"exact", known(e.exact)},
+          {"flushes", known(e.flushes)},
+          {"contracts", known(e.contracts)},
+          {"seconds", e.seconds}};
+}
+
 const char* word_of(const Verdict& verdict) {
   switch (exit_code(verdict)) {
     case 0:
@@ -62,8 +72,7 @@ std::string report_json(const Verdict& verdict) {
                         {"subject", verdict.subject},
                         {"data", verdict.data},
                         {"profile", {{"name", verdict.profile.name}, {"fails", fails}}},
-                        {"environment",
-                         {{"bits", e.bits}, {"bits_seen", e.bits_seen}, {"subnormals", e.subnormals}}},
+                        {"environment", environment_json(e)},
                         {"asked", verdict.asked()},
                         {"classes", counts_json(verdict.counts())},
                         {"not_offered", verdict.not_offered},

@@ -150,8 +150,14 @@ std::string every_row_text(const Verdict& verdict) {
 
 std::string environment_text(const Environment& e) {
   if (e.bits_seen == 0) return {};
-  return fmt::format("judged as numbers of {} bits; answers had up to {} bits, {}\n", e.bits, e.bits_seen,
-                     e.subnormals ? "subnormal numbers among them" : "no subnormal numbers among them");
+  std::string text =
+      fmt::format("judged as numbers of {} bits; answers had up to {} bits", e.bits, e.bits_seen);
+  if (e.exact)
+    text += *e.exact ? "; numbers arrive with all their bits" : "; numbers do NOT arrive with all their bits";
+  if (e.flushes)
+    text += *e.flushes ? "; subnormal numbers are flushed to zero" : "; subnormal numbers are kept";
+  if (e.contracts) text += *e.contracts ? "; products are contracted (FMA)" : "; products are not contracted";
+  return text + "\n";
 }
 
 }  // namespace

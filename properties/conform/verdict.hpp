@@ -55,11 +55,14 @@ struct Profile {
   bool accepts(const Row& row) const;
 };
 
-/// What is known of the numbers that came back.
+/// What is known of the numbers that came back; open where no operation tells.
 struct Environment {
-  int bits = 53;            ///< that answers are judged by
-  int bits_seen = 0;        ///< the most significant bits of any number of an answer
-  bool subnormals = false;  ///< a subnormal number was seen in an answer
+  int bits = 53;                       ///< that answers are judged by
+  int bits_seen = 0;                   ///< the most significant bits of any number of an answer
+  std::optional<bool> exact = {};      ///< all bits of a number arrive
+  std::optional<bool> flushes = {};    ///< subnormal numbers become zero
+  std::optional<bool> contracts = {};  ///< products are fused with sums
+  double seconds = 0;                  ///< waiting for known answers
 };
 
 struct Verdict {

@@ -56,11 +56,8 @@ Json restitution_impulse(const Given& g) {
 }
 
 int main() {
-  const std::map<std::string, Json (*)(const Given&)> operations{
-      {"apply_impulse", apply_impulse},
-      {"collision_impulse", collision_impulse},
-      {"load", load},
-      {"restitution_impulse", restitution_impulse}};
+  std::map<std::string, Json (*)(const Given&)> operations{{"load", load}, {"apply_impulse", apply_impulse}};
+  operations.insert({{"collision_impulse", collision_impulse}, {"restitution_impulse", restitution_impulse}});
   for (std::string line; std::getline(std::cin, line);) {
     const Json request = Json::parse(line);
     if (request.contains("bye")) break;

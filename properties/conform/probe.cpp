@@ -1,0 +1,69 @@
+#include "properties/conform/probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/conform/expected.hpp"
+#include "reference/text/number_text.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+bool offers(Implementation& subject, const std::string& op) {
+  const auto offered = subject.offered();
+  return !offered || std::find(offered->begin(), offered->end(), op) != offered->end();
+}
+
+Json vector(double x, double y) {
+  return {write_hex_float(x), write_hex_float(y)};
+}
+
+/// A number that goes through the subject unchanged: an impulse of zero, or the load of two equal velocities.
+std::optional<double> returned(Implementation& subject, double x) {
+  const Json v = vector(x, 0), zero = vector(0, 0);
+  const Json masses{{"m_A", "0x1p+0"}, {"m_B", "0x1p+0"}, {"v_A", v}, {"v_B", v}};
+  for (const auto& [op, key] : {std::pair{"apply_impulse", "v_A"}, std::pair{"load", "v_load"}}) {
+    if (!offers(subject, op)) continue;
+    Json in = masses;
+    if (op == std::string("apply_impulse")) in["dp"] = zero;
+    const Answer answer = subject.ask({op, in});
+    if (answer.status != Answer::Status::answered || !answer.out.is_object()) continue;
+    const auto numbers = numbers_of(answer.out.value(key, Json()));
+    if (numbers && !numbers->empty()) return numbers->front();
+  }
+  return std::nullopt;
+}
+
+/// r·v of perpendicular r and v is 0, as long as both products are rounded: .1·.3 − .3·.1. Fused, one of them
+/// is not, and in one of two mirror images the pair seems to approach.
+std::optional<bool> contracts(Implementation& subject) {
+  if (!offers(subject, "block_time")) return std::nullopt;
+  for (const double side : {1.0, -1.0}) {
+    const Json in{{"u_A", vector(0, 0)},
+                  {"u_B", vector(side * 0.1, side * 0.3)},
+                  {"v_A", vector(0, 0)},
+                  {"v_B", vector(0.3, -0.1)},
+                  {"L", write_hex_float(0x1p-10)}};
+    const Answer answer = subject.ask({"block_time", in});
+    if (answer.status != Answer::Status::answered || !answer.out.is_object() ||
+        !answer.out.contains("verdict"))
+      return std::nullopt;
+    if (answer.out.at("verdict") != "receding") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void probe(Implementation& subject, Environment& environment) {
+  const Format format = subject.format();
+  const double all_bits = 1 + std::ldexp(1.0, 1 - std::min(format.bits, 53));
+  if (const auto back = returned(subject, all_bits)) environment.exact = *back == all_bits;
+  const double subnormal = std::ldexp(1.0, -format.max_exponent - 2);
+  if (format.bits <= 53) {
+    if (const auto back = returned(subject, subnormal)) environment.flushes = *back == 0;
+  }
+  environment.contracts = contracts(subject);
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,13 @@
+// The environment that a verdict is about: how numbers arrive, and what the processor does with them.
+#pragma once
+
+#include "properties/conform/verdict.hpp"
+
+namespace tps::properties::conform {
+
+/// Asks a few questions whose answers tell: whether all bits of a number arrive, whether subnormal numbers
+/// are flushed to zero, whether products are contracted to fused multiply-adds. What no operation of the
+/// subject tells stays open.
+void probe(Implementation& subject, Environment& environment);
+
+}  // namespace tps::properties::conform
