@@ -14,6 +14,7 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/eval/operations.hpp"
 
@@ -41,6 +42,18 @@ void note_numbers(const Json& value, Environment& environment) {
     environment.bits_seen =
         std::max(environment.bits_seen, significant_bits(hex_digits(value.get<double>())));
   }
+}
+
+/// The right numbers by their keys, as an answer has them.
+Json nearest_of(const KnownQuestion& known) {
+  Json right = Json::object();
+  const Expected expected = expected_of(known).front();
+  for (const ExpectedNumbers& numbers : expected.numbers) {
+    Json list = Json::array();
+    for (const ExpectedNumbers::End& end : numbers.ends) list.push_back(write_hex_float(end.nearest));
+    right[numbers.key] = numbers.key == "t" ? list.front() : list;
+  }
+  return right;
 }
 
 class KnownAnswers {
@@ -109,8 +122,12 @@ class KnownAnswers {
     } else if (row.reference && *score) {
       ++*row.reference;
     }
-    row.add(found,
-            {found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in), 0, 0});
+    Example shown{found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in), 0, 0};
+    if (answer.status == Answer::Status::answered) {
+      shown.found = json_text(answer.out);
+      shown.right = json_text(nearest_of(known));
+    }
+    row.add(found, std::move(shown));
     if (found.which != Class::wrong) return;
     for (const std::string& name : hypotheses_fitting(known, answer.out)) ++row.hypotheses[name];
   }
@@ -150,7 +167,8 @@ std::string page_of(const std::string& op) {
 
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {
   verdict.environment.bits = subject.format().bits;
-  probe(subject, verdict.environment);
+  if (const auto failure = probe(subject, verdict.environment))
+    verdict.note_failure("the first questions", *failure);
   KnownAnswers(subject, plan, verdict).ask();
 }
 

@@ -133,6 +133,7 @@ std::string report_of(const Verdict& verdict, const ConformArguments& a) {
   if (a.format == "json") return report_json(verdict);
   if (a.format == "junit") return report_junit(verdict);
   if (a.format == "markdown") return report_markdown(verdict);
+  if (a.format == "html") return report_html(verdict);
   if (a.format == "svg") return report_svg(verdict);
   return report_text(verdict, a.all);
 }
@@ -265,7 +266,7 @@ void add_conform(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   verb->add_option("--report", a->report, "Where the report goes")->capture_default_str();
   verb->add_option("--format", a->format)
-      ->check(CLI::IsMember({"text", "json", "junit", "markdown", "svg"}))
+      ->check(CLI::IsMember({"text", "json", "junit", "markdown", "html", "svg"}))
       ->capture_default_str();
   verb->add_flag("--all", a->all, "Every row, not only those with something to tell");
   verb->add_flag("--hypotheses", a->hypotheses, "Lists the mistakes that wrong answers are compared with");

@@ -9,6 +9,17 @@
 namespace tps::properties::conform {
 namespace {
 
+/// A crash, a hang, a breach of the protocol.
+struct Failed {
+  std::string reason;
+};
+
+Answer answer_to(Implementation& subject, const Question& question) {
+  Answer answer = subject.ask(question);
+  if (answer.status == Answer::Status::failed) throw Failed{answer.reason};
+  return answer;
+}
+
 bool offers(Implementation& subject, const std::string& op) {
   const auto offered = subject.offered();
   return !offered || std::find(offered->begin(), offered->end(), op) != offered->end();
@@ -26,7 +37,7 @@ std::optional<double> returned(Implementation& subject, double x) {
     if (!offers(subject, op)) continue;
     Json in = masses;
     if (op == std::string("apply_impulse")) in["dp"] = zero;
-    const Answer answer = subject.ask({op, in});
+    const Answer answer = answer_to(subject, {op, in});
     if (answer.status != Answer::Status::answered || !answer.out.is_object()) continue;
     const auto numbers = numbers_of(answer.out.value(key, Json()));
     if (numbers && !numbers->empty()) return numbers->front();
@@ -44,7 +55,7 @@ std::optional<bool> contracts(Implementation& subject) {
                   {"v_A", vector(0, 0)},
                   {"v_B", vector(0.3, -0.1)},
                   {"L", write_hex_float(0x1p-10)}};
-    const Answer answer = subject.ask({"block_time", in});
+    const Answer answer = answer_to(subject, {"block_time", in});
     if (answer.status != Answer::Status::answered || !answer.out.is_object() ||
         !answer.out.contains("verdict"))
       return std::nullopt;
@@ -55,15 +66,19 @@ std::optional<bool> contracts(Implementation& subject) {
 
 }  // namespace
 
-void probe(Implementation& subject, Environment& environment) {
+std::optional<std::string> probe(Implementation& subject, Environment& environment) {
   const Format format = subject.format();
   const double all_bits = 1 + std::ldexp(1.0, 1 - std::min(format.bits, 53));
-  if (const auto back = returned(subject, all_bits)) environment.exact = *back == all_bits;
   const double subnormal = std::ldexp(1.0, -format.max_exponent - 2);
-  if (format.bits <= 53) {
-    if (const auto back = returned(subject, subnormal)) environment.flushes = *back == 0;
+  try {
+    if (const auto back = returned(subject, all_bits)) environment.exact = *back == all_bits;
+    if (const auto back = format.bits <= 53 ? returned(subject, subnormal) : std::nullopt)
+      environment.flushes = *back == 0;
+    environment.contracts = contracts(subject);
+  } catch (const Failed& failed) {
+    return failed.reason;
   }
-  environment.contracts = contracts(subject);
+  return std::nullopt;
 }
 
 }  // namespace tps::properties::conform

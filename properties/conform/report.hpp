@@ -19,6 +19,8 @@ std::string findings_of(const Row& row);
 std::string report_json(const Verdict& verdict);
 std::string report_junit(const Verdict& verdict);
 std::string report_markdown(const Verdict& verdict);
+/// A page of its own, with a picture of each case that has one.
+std::string report_html(const Verdict& verdict);
 /// A badge that names the profile and the version of the data.
 std::string report_svg(const Verdict& verdict);
 

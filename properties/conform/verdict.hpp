@@ -21,6 +21,8 @@ struct Example {
   std::vector<std::string> commands;  ///< that show the right answer
   std::string in;                     ///< the question as JSON; empty for a run
   double units = 0, cond = 0;
+  std::string found = {},
+              right = {};  ///< answers as JSON, "t" or "dp" of them; empty where there is none to show
 };
 
 struct Row {

@@ -207,6 +207,23 @@ class Reports(unittest.TestCase):
         root = xml.etree.ElementTree.fromstring(out)
         self.assertIn("TPS default: not conforming, known answers 1.20261122", root.get("aria-label"))
 
+    def test_html_draws_the_cases(self):
+        out = conform("--format", "html", "--tags", "block_time.plain,collision_impulse.plain", "--", sys.executable, "-B", str(BROKEN), "half_rebound")[1]
+        page = xml.etree.ElementTree.fromstring(out.replace("<!doctype html>", "").replace('<meta charset="utf-8">', ""))
+        self.assertEqual(len(page.findall(".//svg")), 1)
+        drawn = [circle.get("class") for circle in page.findall(".//svg/circle")]
+        self.assertLessEqual({"right", "found", "body"}, set(drawn))
+        self.assertIn("c instead of 1 + c", out)
+
+    def test_environment_is_probed(self):
+        contracted = [library for library in LIBRARIES if "contracted" in library]
+        environment = report("--tags", "load.plain", "--library", contracted[0])[1]["environment"]
+        self.assertEqual((environment["exact"], environment["flushes"], environment["contracts"]), (True, False, True))
+        code, found = report("--ops", "load", "--cases", "100", "--library", contracted[0])
+        self.assertEqual((code, found["classes"]["NOT BITWISE"] > 0), (0, True))
+        environment = report("--tags", "load.plain", *adapter("scalar"))[1]["environment"]
+        self.assertEqual((environment["exact"], environment["flushes"], environment["contracts"]), (True, False, False))
+
     def test_json_fits_its_schema(self):
         import jsonschema
         schema = jsonschema.Draft202012Validator(json.loads((pathlib.Path(SOURCE) / "data/schemas/conform.schema.json").read_text()))
