@@ -122,7 +122,8 @@ class KnownAnswers {
     } else if (row.reference && *score) {
       ++*row.reference;
     }
-    Example shown{found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in), 0, 0};
+    Example shown{found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in),
+                  0,           0};
     if (answer.status == Answer::Status::answered) {
       shown.found = json_text(answer.out);
       shown.right = json_text(nearest_of(known));

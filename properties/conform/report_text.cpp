@@ -59,10 +59,14 @@ std::string table(const Verdict& verdict) {
     for (const std::uint64_t n : line.counts) asked += n;
     text += fmt::format("{:>6}", asked);
     for (const std::uint64_t n : line.counts) text += fmt::format("{:>9}", number_or_dot(n));
-    const bool scored = line.reference && line.of != "laws" && line.area != "whole runs";
-    text += fmt::format("{:>10}", scored ? number_or_dot(*line.reference) : "");
+    if (line.of == "laws") {
+      text += "\n";
+      continue;
+    }
+    const bool scored = line.reference && line.area != "whole runs";
     const std::string worst = line.units > 0 ? fmt::format("{:.3g}, {:.2g}", line.units, line.cond) : "";
-    text += line.of == "laws" ? "\n" : fmt::format("  {:<17} {}\n", worst, line.page);
+    text +=
+        fmt::format("{:>10}  {:<17} {}\n", scored ? number_or_dot(*line.reference) : "", worst, line.page);
   }
   return text;
 }
