@@ -1,0 +1,156 @@
+// tps cost
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "reference/process/interrupt.hpp"
+#include "reference/text/input_error.hpp"
+#include "verify/cli/named_files.hpp"
+#include "verify/cli/numbers.hpp"
+#include "verify/cli/say.hpp"
+#include "verify/cli/verbs.hpp"
+#include "verify/cli/write_result.hpp"
+#include "verify/cost/measure.hpp"
+#include "verify/cost/report.hpp"
+
+namespace tps::cli {
+namespace {
+
+using namespace tps::cost;
+
+struct CostArguments {
+  StudyOptions options;
+  std::vector<std::string> variants, strata;
+  std::string from, json, csv, page, format = "text";
+  bool quick = false, without_times = false, quiet = false;
+};
+
+std::vector<std::string> variant_names() {
+  std::vector<std::string> names;
+  for (const Variant& variant : variants()) names.push_back(variant.name);
+  return names;
+}
+
+std::vector<std::string> stratum_names() {
+  std::vector<std::string> names;
+  for (const Hazard& hazard : hazards()) names.push_back(hazard.name);
+  return names;
+}
+
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The baseline is always among them, since ratios are taken against it.
+std::vector<Variant> wanted_variants(const std::vector<std::string>& names) {
+  std::vector<Variant> result;
+  for (const Variant& variant : variants()) {
+    if (variant.name == kBaseline || wanted(names, variant.name)) result.push_back(variant);
+  }
+  return result;
+}
+
+/// The strata that a file of an earlier, interrupted call has; its settings and variants must be these.
+Json resumed(const std::string& path, const Json& fresh) {
+  if (path.empty() || path == "-" || !std::filesystem::exists(path)) return fresh;
+  const Json stored = read_study(path);
+  for (const char* key : {"settings", "variants", "machine"}) {
+    if (stored.at(key) != fresh.at(key)) {
+      throw InputError({{path, 0, std::string("/") + key,
+                         "is of another study; remove the file, or name another one by --json"}});
+    }
+  }
+  return stored;
+}
+
+bool has_stratum(const Json& study, const std::string& name) {
+  const Json& strata = study.at("strata");
+  return std::any_of(strata.begin(), strata.end(), [&](const Json& s) { return s.at("name") == name; });
+}
+
+Json measured(const CostArguments& a) {
+  const std::vector<Variant> chosen = wanted_variants(a.variants);
+  Json study = resumed(a.json, study_json(a.options, chosen, this_machine()));
+  for (const Hazard& hazard : hazards()) {
+    if (!wanted(a.strata, hazard.name) || has_stratum(study, hazard.name)) continue;
+    if (!a.quiet) say("tps: {} ({} of {})\n", hazard.name, study.at("strata").size() + 1, hazards().size());
+    StratumResult result = measure_accuracy(hazard, a.options, chosen);
+    if (!a.without_times) measure_times(result, a.options, chosen);
+    study["strata"].push_back(stratum_json(result));
+    if (!a.json.empty() && a.json != "-") write_result(a.json, study_text(study));
+    if (interrupt::requested()) throw interrupt::Interrupted();
+  }
+  return study;
+}
+
+constexpr const char* kCostFooter =
+    R"(Measures ways to compute the time of eq. (2), on the strata of the known answers, against the exact answer: nanoseconds
+a question, wrong verdicts, error of the time (docs/accuracy-cost.md). Times are of this thread's CPU; nothing is decided by them.
+With --json FILE a call that was interrupted goes on where the file ends.
+Examples: tps cost --quick --page cost.html
+          tps cost --quick --stratum graze --variant stable-double,certified-time
+          tps cost --from cost.json --page cost.html)";
+
+/// Tells more than --quick asks: rates of ten in a million show, and intervals are narrow.
+constexpr StudyOptions kFull{1, 50'000, 1024, 31};
+
+void run_cost(const CostArguments& a) {
+  NamedFiles()
+      .reads("--from", a.from)
+      .writes("--json", a.json)
+      .writes("--csv", a.csv)
+      .writes("--page", a.page)
+      .require_distinct();
+  const Json study = a.from.empty() ? measured(a) : read_study(a.from);
+  if (!a.json.empty()) write_result(a.json, study_text(study));
+  if (!a.csv.empty()) write_result(a.csv, report_csv(study));
+  if (!a.page.empty()) write_result(a.page, report_page(study));
+  if (a.json != "-" && a.csv != "-" && a.page != "-") {
+    write_result("-", a.format == "json" ? study_text(study) : report_text(study));
+  }
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, int& exit_code) {
+  const auto a = std::make_shared<CostArguments>();
+  CLI::App* verb = app.add_subcommand("cost", "What accuracy costs in time.");
+  verb->add_flag("--quick", a->quick, "Fewer questions and repetitions: a minute");
+  verb->add_option("--variant", a->variants, "Only these ways to compute")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(variant_names()));
+  verb->add_option("--stratum", a->strata, "Only these strata (tps vectors list)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(stratum_names()));
+  verb->add_option("--questions", a->options.questions, "Questions of each stratum (default: 50000; 2000)")
+      ->check(CLI::Range(1, 10'000'000));
+  verb->add_option("--repetitions", a->options.repetitions, "Repetitions of each loop (default: 31; 9)")
+      ->check(CLI::Range(1, 10'000));
+  verb->add_option("--seed", a->options.seed, "Which questions")->check(integer_from(0, "a seed"));
+  verb->add_flag("--without-times", a->without_times, "Verdicts and errors only: the same on every machine");
+  verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring");
+  verb->add_option("--json", a->json, "Where the study goes as JSON (data/schemas/cost.schema.json)");
+  verb->add_option("--csv", a->csv, "Where it goes as CSV");
+  verb->add_option("--page", a->page, "Where it goes as a page with figures");
+  verb->add_option("--format", a->format, "Of what is printed")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  verb->add_flag("--quiet", a->quiet, "No progress");
+  verb->footer(kCostFooter);
+  verb->callback([=, &exit_code] {
+    const StudyOptions given = a->options;
+    StudyOptions defaults = a->quick ? StudyOptions{} : kFull;
+    if (verb->count("--questions") > 0) defaults.questions = given.questions;
+    if (verb->count("--repetitions") > 0) defaults.repetitions = given.repetitions;
+    defaults.seed = given.seed;
+    a->options = defaults;
+    run_cost(*a);
+    exit_code = kDone;
+  });
+}
+
+}  // namespace tps::cli

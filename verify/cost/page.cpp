@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include "reference/text/printable.hpp"
+#include "verify/cost/page_figures.hpp"
+#include "verify/cost/report.hpp"
+
+namespace tps::cost {
+namespace {
+
+/// Colours by formula that differ in lightness, too; the arithmetic stands beside each point.
+constexpr const char* kColours[][2] = {  // on light, on dark
+    {"#b3261e", "#ff8a80"}, {"#c26a00", "#ffb74d"}, {"#8a6d00", "#e6cf5c"}, {"#3f7d20", "#9ccc65"},
+    {"#00796b", "#4dd0c4"}, {"#5d4037", "#bcaaa4"}, {"#616161", "#bdbdbd"}, {"#1565c0", "#64b5f6"},
+    {"#4527a0", "#b39ddb"}, {"#000000", "#ffffff"}, {"#ad1457", "#f48fb1"}};
+
+constexpr const char* kStyle = R"(
+:root{color-scheme:light dark;--paper:#fff;--ink:#1b1b1b;--faint:#d9d9d9;--soft:#5c5c5c}
+@media (prefers-color-scheme:dark){:root{--paper:#15171a;--ink:#ececec;--faint:#3a3d42;--soft:#a8a8a8}}
+body{background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif;max-width:1480px;margin:auto;padding:1rem}
+.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(440px,1fr));gap:1rem}
+svg{width:100%;height:auto;overflow:visible}text{fill:var(--ink);font-size:11px}
+figure{margin:0}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-height:2.6em}.power{font-size:8px}.label{font-size:8px;fill:var(--soft)}
+.tip{font-size:10px;visibility:hidden}.mark:hover .tip,.mark:focus .tip{visibility:visible}.mark{outline:none}
+.mark:focus .reach,.mark:hover .reach{stroke:var(--ink)}.reach{fill:transparent;stroke:none}
+.grid{stroke:var(--faint);stroke-width:.5}.line{fill:none;stroke-width:1.2}.cross{fill:none;stroke-width:2}
+.front{stroke:var(--soft);stroke-dasharray:3 3}.front.right{stroke:var(--ink);stroke-dasharray:none;stroke-width:1.6}
+.envelope{stroke:var(--faint);stroke-dasharray:5 3}
+table{border-collapse:collapse;font-size:13px}td,th{padding:.1rem .6rem;text-align:right;border-bottom:1px solid var(--faint)}
+td:first-child,th:first-child{text-align:left}.scroll{overflow-x:auto}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
+@media print{.tip{display:none}body{max-width:none;font-size:10pt}.figures{grid-template-columns:1fr 1fr}svg,tr{break-inside:avoid}}
+)";
+
+const Selection kFormulas{"formulas, in double", "", "double"};
+const Selection kPrinted{"eq. (2) as printed, in each arithmetic", "printed", ""};
+const Selection kStable{"the reference's formula, in each arithmetic", "stable", ""};
+
+constexpr const char* kHowToRead =
+    R"(<p>Point at a mark, or reach it by the tabulator key, for its figures. Numbers beside marks are the bits (or decimal
+digits, d) of the arithmetic; c stands for certified answers. What the figures mean: docs/accuracy-cost.md.</p>
+)";
+constexpr const char* kParetoText =
+    R"(<h2>Time against error</h2>
+<p>A cross has wrong verdicts. The solid front is of variants without, the dashed one of all. Marks at the lower edge lie below it.</p>
+)";
+constexpr const char* kTangencyText =
+    R"(<h2>Wrong verdicts against distance from tangency</h2>
+<p>Stratum graze. A pair whose path passes the centre at ρ touches the limit L where ρ = L.</p>
+)";
+constexpr const char* kConditionText =
+    R"(<h2>Error against condition number</h2>
+<p>Over all strata but any_scale, wide and subnormal, whose hazard is the range of numbers. Broken lines: the unit roundoff times the
+condition number. Float also rounds the question, which the condition number does not count.</p>
+)";
+
+std::string text_at(const Json& value, const char* key) {
+  return xml_text(value.at(key).get<std::string>());
+}
+
+std::string colours(const Json& study) {
+  std::string light, dark;
+  for (std::size_t k = 0; k < study.at("formulas").size() && k < std::size(kColours); ++k) {
+    const char* form =
+        ".series-{0} circle:not(.reach){{fill:{1}}}.series-{0}.key{{background:{1}}}"
+        ".series-{0} .cross,.line.series-{0}{{stroke:{1}}}";
+    light += fmt::format(fmt::runtime(form), k, kColours[k][0]);
+    dark += fmt::format(fmt::runtime(form), k, kColours[k][1]);
+  }
+  return light + "@media (prefers-color-scheme:dark){" + dark + "}";
+}
+
+std::string legend(const Json& study) {
+  std::string text = "<ul class=\"legend\">\n";
+  std::size_t k = 0;
+  for (const Json& formula : study.at("formulas")) {
+    text += fmt::format("<li><span class=\"key series-{}\"></span> <b>{}</b>: {}</li>\n", k++,
+                        text_at(formula, "name"), text_at(formula, "what"));
+  }
+  return text + "</ul>\n";
+}
+
+std::string number(const Json& cell, const char* pointer, const char* form) {
+  const Json::json_pointer place(pointer);
+  return cell.contains(place) ? fmt::format(fmt::runtime(form), cell.at(place).get<double>()) : "–";
+}
+
+std::string interval(const Json& cell, const char* key) {
+  if (!cell.contains(key)) return "–";
+  const Json& v = cell.at(key);
+  return fmt::format("{:.4g} ({:.4g} to {:.4g})", v.at("value").get<double>(), v.at("low").get<double>(),
+                     v.at("high").get<double>());
+}
+
+std::string table(const Json& stratum) {
+  std::string text = fmt::format(
+      "<details><summary>{}: every figure</summary><div "
+      "class=\"scroll\"><table>\n<tr><th>variant</th><th>ns</th>"
+      "<th>quartiles</th><th>ns, each waiting for the one before</th><th>of printed (95 "
+      "%)</th><th>missed</th>"
+      "<th>invented</th><th>moved</th><th>wrong per million (95 %)</th><th>log2 error p50</th><th>p99</th>"
+      "<th>max seen</th></tr>\n",
+      text_at(stratum, "name"));
+  for (const Json& cell : stratum.at("cells")) {
+    text += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{} to {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        text_at(cell, "variant"), number(cell, "/ns/throughput/median", "{:.4g}"),
+        number(cell, "/ns/throughput/q1", "{:.4g}"), number(cell, "/ns/throughput/q3", "{:.4g}"),
+        number(cell, "/ns/latency/median", "{:.4g}"), interval(cell, "ratio"), cell.at("missed").dump(),
+        cell.at("invented").dump(), cell.at("moved").dump(), interval(cell, "wrong_per_million"),
+        number(cell, "/log2_error/p50", "{:.1f}"), number(cell, "/log2_error/p99", "{:.1f}"),
+        number(cell, "/log2_error/max", "{:.1f}"));
+  }
+  return text + "</table></div></details>\n";
+}
+
+std::string tangency_section(const Json& study) {
+  std::string section;
+  for (const Json& stratum : study.at("strata")) {
+    if (stratum.at("name") != "graze") continue;
+    section = kTangencyText + std::string("<div class=\"figures\">\n");
+    for (const Selection& each : {kFormulas, kPrinted, kStable})
+      section += tangency_figure(study, stratum, each);
+    section += "</div>\n";
+  }
+  return section;
+}
+
+std::string settings_text(const Json& study) {
+  const Json& s = study.at("settings");
+  const Json& m = study.at("machine");
+  return fmt::format(
+      "<p>{} questions a stratum (seed {}), {} of them timed, {} interleaved repetitions. {}; {}; flags {}; "
+      "tps {}.</p>\n",
+      s.at("questions").dump(), s.at("seed").dump(), s.at("timed").dump(), s.at("repetitions").dump(),
+      text_at(m, "processor"), text_at(m, "compiler"), text_at(m, "flags"), text_at(m, "version"));
+}
+
+}  // namespace
+
+std::string report_page(const Json& study) {
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+      "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>";
+  page += kStyle + colours(study) + "</style></head><body>\n<h1>What accuracy costs</h1>\n";
+  page += settings_text(study) + kHowToRead + legend(study) + kParetoText + "<div class=\"figures\">\n";
+  for (const Json& stratum : study.at("strata")) page += pareto_figure(study, stratum);
+  page += "</div>\n" + tangency_section(study) + kConditionText + "<div class=\"figures\">\n";
+  for (const Selection& each : {kFormulas, kPrinted, kStable}) page += condition_figure(study, each);
+  page += "</div>\n<h2>Every figure</h2>\n";
+  for (const Json& stratum : study.at("strata")) page += table(stratum);
+  return page + "</body></html>\n";
+}
+
+}  // namespace tps::cost
