@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cost/page_figures.hpp"
 #include "verify/cost/report.hpp"
@@ -105,8 +106,8 @@ std::string table(const Json& stratum) {
         "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         text_at(cell, "variant"), number(cell, "/ns/throughput/median", "{:.4g}"),
         number(cell, "/ns/throughput/q1", "{:.4g}"), number(cell, "/ns/throughput/q3", "{:.4g}"),
-        number(cell, "/ns/latency/median", "{:.4g}"), interval(cell, "ratio"), cell.at("missed").dump(),
-        cell.at("invented").dump(), cell.at("moved").dump(), interval(cell, "wrong_per_million"),
+        number(cell, "/ns/latency/median", "{:.4g}"), interval(cell, "ratio"), json_text(cell.at("missed")),
+        json_text(cell.at("invented")), json_text(cell.at("moved")), interval(cell, "wrong_per_million"),
         number(cell, "/log2_error/p50", "{:.1f}"), number(cell, "/log2_error/p99", "{:.1f}"),
         number(cell, "/log2_error/max", "{:.1f}"));
   }
@@ -131,8 +132,9 @@ std::string settings_text(const Json& study) {
   return fmt::format(
       "<p>{} questions a stratum (seed {}), {} of them timed, {} interleaved repetitions. {}; {}; flags {}; "
       "tps {}.</p>\n",
-      s.at("questions").dump(), s.at("seed").dump(), s.at("timed").dump(), s.at("repetitions").dump(),
-      text_at(m, "processor"), text_at(m, "compiler"), text_at(m, "flags"), text_at(m, "version"));
+      json_text(s.at("questions")), json_text(s.at("seed")), json_text(s.at("timed")),
+      json_text(s.at("repetitions")), text_at(m, "processor"), text_at(m, "compiler"), text_at(m, "flags"),
+      text_at(m, "version"));
 }
 
 }  // namespace

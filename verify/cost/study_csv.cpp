@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "reference/text/plain_json.hpp"
 #include "verify/cost/report.hpp"
 
 namespace tps::cost {
@@ -8,7 +9,7 @@ namespace {
 /// The value at a pointer, empty where it is absent.
 std::string at(const Json& value, const char* pointer) {
   const Json::json_pointer place(pointer);
-  return value.contains(place) ? value.at(place).dump() : "";
+  return value.contains(place) ? json_text(value.at(place)) : "";
 }
 
 constexpr const char* kColumns[] = {"/asked",

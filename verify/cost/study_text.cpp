@@ -40,6 +40,7 @@ std::string report_text(const Json& study) {
   }
   std::string text;
   for (const Json& stratum : study.at("strata")) {
+    if (!text.empty()) text += "\n";
     text +=
         fmt::format("{}: {}\n", stratum.at("name").get<std::string>(), stratum.at("what").get<std::string>());
     text += fmt::format("  {:<22}{:>10}{:>10}{:>8}{:>8}{:>8}{:>7}{:>7}{:>7}  {}\n", "variant", "ns",
@@ -54,7 +55,6 @@ std::string report_text(const Json& study) {
           bits_lost(cell, "/log2_error/p50", b), bits_lost(cell, "/log2_error/p99", b),
           bits_lost(cell, "/log2_error/max", b), cell.at("asked").get<int>(), handed_on(cell));
     }
-    text += "\n";
   }
   return text;
 }
