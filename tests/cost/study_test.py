@@ -82,6 +82,14 @@ def test_accuracy_is_reproducible_and_resumable(folder):
     check("/settings" in refused and "another study" in refused, refused)
 
 
+def test_sample(folder):
+    sample, page, table = root / "docs/accuracy-cost", folder / "sample.html", folder / "sample.csv"
+    cost("--from", sample / "sample.json", "--page", page, "--csv", table)
+    for made in (page, table):
+        check(made.read_bytes() == (sample / made.name).read_bytes(), f"docs/accuracy-cost/{made.name} is not what sample.json gives; make it "
+              "again: tps cost --from sample.json --page sample.html --csv sample.csv")
+
+
 def test_bad_files(folder):
     bad = folder / "bad.json"
     bad.write_text('{"cost": 1, "settings": {}}')
@@ -94,6 +102,6 @@ def test_bad_files(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_bad_files):
+    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files):
         test(pathlib.Path(name))
 print("the study, its table, its text and its page agree")
