@@ -32,7 +32,7 @@ class LineJudge {
     try {
       Line<Number> read = reading_.read(line.text);
       tally_.pass(Rule::schema);
-      std::visit([this](const auto& parsed) { take(parsed); }, read);
+      std::visit([this](const auto& parsed) { this->take(parsed); }, read);
     } catch (const LineProblem& problem) {
       bad(problem.pointer, problem.what());
     }

@@ -53,10 +53,11 @@ void Tally::close_sums() {
     }
     judged = true;
     step = {report_.lines, report_.events, {}, {}};
-    demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_, [&](Finding& f) {
-      f.message = fmt::format("residuals of the {} have a mean of {} u with a standard error of {}", quantity,
-                              mean, error);
-    });
+    demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_,
+           [&, &what = quantity](Finding& f) {
+             f.message = fmt::format("residuals of the {} have a mean of {} u with a standard error of {}",
+                                     what, mean, error);
+           });
   }
   if (!judged && repeating.empty()) not_judged(Rule::bias, "fewer than 10000 residuals");
   if (!repeating.empty()) not_judged(Rule::bias, repeating);

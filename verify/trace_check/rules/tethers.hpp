@@ -105,13 +105,13 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
     should = beyond > W(0);
     if (beyond <= unit && beyond >= -unit) should = breaks;
   }
-  const auto [size_shown, threshold] =
+  const auto told =
       told_apart(length(expected.response.dp), W(stored<Number>(rules.breaks.threshold, model.precision)));
   c.tally.demand(Rule::tethers, breaks == should, [&](Finding& f) {
     f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
                             should ? "breaks" : "holds",
                             rules.breaks.when == When::impulse_above
-                                ? fmt::format(": |Δp| = {} and the threshold is {}", size_shown, threshold)
+                                ? fmt::format(": |Δp| = {} and the threshold is {}", told.first, told.second)
                                 : std::string());
   });
 }
