@@ -25,7 +25,7 @@ found=0
 for target in "${targets[@]}"; do
   mkdir -p "$build/corpus/$target" "$build/found"
   echo "run fuzz: $target, $minutes min" >&2
-  "$build/tests/fuzz/fuzz_$target" -max_total_time=$((60 * minutes)) -dict=tests/fuzz/json.dict -max_len=20000 -timeout=30 \
+  "$build/tests/fuzz/fuzz_$target" -max_total_time=$((60 * minutes)) -dict=tests/fuzz/json.dict -max_len=20000 -print_funcs=0 -timeout=30 \
     -rss_limit_mb=2048 -artifact_prefix="$build/found/$target-" -print_final_stats=1 \
     "$build/corpus/$target" "tests/fuzz/corpus/$target" >"$build/$target.log" 2>&1 || { found=1; tail -n 40 "$build/$target.log" >&2; }
   awk -v name="$target" '/number_of_executed_units/ {n = $2} /peak_rss_mb/ {m = $2} END {printf "%-12s %12d inputs, %5d MB at most\n", name, n, m}' \
