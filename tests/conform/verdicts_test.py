@@ -85,6 +85,20 @@ class Profiles(unittest.TestCase):
             self.assertEqual(code, 0, out)
 
 
+class Hypotheses(unittest.TestCase):
+    def test_the_printed_rule_is_recognised(self):
+        _, found = report("--tags", "tether_time.plain", *adapter("as_printed"))
+        self.assertEqual(found["rows"][0]["equals"], ["the smaller non-negative root without a test for approach, as printed (D1)"])
+
+    def test_each_has_a_program_that_makes_it(self):
+        sys.path.insert(0, str(pathlib.Path(__file__).parent))
+        import mutants
+        names = subprocess.run([TPS, "conform", "--hypotheses"], capture_output=True, check=True).stdout.decode().splitlines()
+        made = {mutant.equals for mutant in mutants.WRONG} | {"the smaller non-negative root without a test for approach, as printed (D1)"}
+        made |= {"written with n digits", "written with n decimals"} if {"written with 10 digits", "written with 6 decimals"} <= made else set()
+        self.assertEqual(set(names) - made, set())
+
+
 class ExpectedFailures(unittest.TestCase):
     def verdict(self, lines, *words):
         with tempfile.NamedTemporaryFile("w") as file:
