@@ -55,7 +55,12 @@ const std::vector<Mode>& all_modes() {
 Trial try_scene(const NastyScene& nasty, const Mode& mode, std::uint64_t max_events) {
   try {
     const auto simulator = runs::reference_simulator(mode.scalar, mode.timing);
-    return judged(simulator->simulate(nasty.scene, {max_events, kStateEvery}));
+    const auto traced = [&](const char* detector) {
+      return simulator->simulate(nasty.scene, {max_events, kStateEvery, detector});
+    };
+    const std::string trace = traced("all-pairs");
+    if (traced("cells") != trace) return {Fate::alarm, 0, 0, false, "cells and all pairs differ"};
+    return judged(trace);
   } catch (const InputError& refused) {
     return {Fate::left_range, 0, 0, false, refused.what()};
   } catch (const std::exception& error) {

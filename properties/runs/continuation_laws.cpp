@@ -25,6 +25,31 @@ RunVerdict resumes(const Scene& scene, Simulator& simulator) {
   return {};
 }
 
+/// Every detector from the start, and from every full state one of them in turn.
+RunVerdict same_with_every_detector(const Scene& scene, Simulator& simulator) {
+  const std::vector<std::string> detectors = simulator.detectors();
+  if (detectors.empty()) return RunVerdict::not_asked();
+  Extent extent{.max_events = 40, .state_every = 13, .detector = detectors.front()};
+  const std::string whole = simulator.full_trace(scene, extent);
+  for (const std::string& detector : detectors) {
+    extent.detector = detector;
+    if (simulator.full_trace(scene, extent) != whole)
+      return RunVerdict::broken("detector " + detector + " and " + detectors.front() + " differ");
+  }
+  std::size_t turn = 0;
+  for (std::size_t at = whole.find("\n{\"state\":"); at != std::string::npos;
+       at = whole.find("\n{\"state\":", at + 1)) {
+    const std::string beginning = whole.substr(0, whole.find('\n', at + 1) + 1);
+    extent.detector = detectors[++turn % detectors.size()];
+    const std::optional<std::string> resumed = simulator.go_on(beginning, extent);
+    if (!resumed) return RunVerdict::not_asked();
+    if (*resumed != whole)
+      return RunVerdict::broken("a run resumed by detector " + extent.detector + " behind byte " +
+                                std::to_string(beginning.size()) + " goes on otherwise");
+  }
+  return {};
+}
+
 bool same_course(const RunTrace& a, const RunTrace& b) {
   return std::ranges::equal(a.events, b.events, [](const TracedEvent& x, const TracedEvent& y) {
     return x.kind == y.kind && x.i == y.i && x.j == y.j;
@@ -104,7 +129,15 @@ std::vector<RunLaw> continuation_laws() {
                   of(reversible),
                   returns};
   reversal.compares_runs = true;
-  return {resume, reversal};
+  RunLaw detectors{
+      23,
+      "Detectors",
+      "Whom the detector asks changes no byte of a trace, from the start or from any full state.",
+      "docs/scale.md",
+      of({}),
+      same_with_every_detector};
+  detectors.compares_runs = true;
+  return {resume, reversal, detectors};
 }
 
 }  // namespace tps::properties::runs

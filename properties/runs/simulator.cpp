@@ -18,6 +18,7 @@ class Reference final : public Simulator {
   std::string name() const override { return "tps::reference"; }
   std::string scalar() const override { return scalar_; }
   std::string timing() const override { return timing_; }
+  std::vector<std::string> detectors() const override { return {"all-pairs", "cells"}; }
 
   std::string simulate(const Scene& scene, const Extent& extent) override {
     certified::ExactTiming certifier;
@@ -43,6 +44,7 @@ class Reference final : public Simulator {
     options.certifier = &certifier;
     options.max_events = extent.max_events;
     options.state_every = extent.state_every;
+    if (!extent.detector.empty()) options.detector = detector_named(extent.detector).value();
     options.trace = trace;
     return options;
   }

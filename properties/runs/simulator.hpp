@@ -13,10 +13,12 @@
 
 namespace tps::properties::runs {
 
-/// Where a run ends, and how often its trace holds a full state (0: as the implementation likes).
+/// Where a run ends, how often its trace holds a full state (0: as the implementation likes), and how its
+/// collisions are found (empty: as the implementation likes).
 struct Extent {
   std::uint64_t max_events = 100;
   std::uint64_t state_every = 0;
+  std::string detector = {};
 };
 
 /// An implementation, in one scalar and one way of timing.
@@ -26,6 +28,9 @@ class Simulator {
   virtual std::string name() const = 0;
   virtual std::string scalar() const = 0;  ///< as in the header of a trace
   virtual std::string timing() const = 0;  ///< as in the header of a trace
+
+  /// Its ways of finding collisions, where it has several: values of Extent::detector.
+  virtual std::vector<std::string> detectors() const { return {}; }
 
   /// The whole trace of a run of a valid scene.
   virtual std::string simulate(const Scene& scene, const Extent& extent) = 0;

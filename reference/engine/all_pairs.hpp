@@ -1,34 +1,31 @@
 // The textbook detector: every pair is asked for its next event once, and again when one of the two changes.
 #pragma once
 
-#include <memory>
+#include <algorithm>
 #include <vector>
 
-#include "reference/engine/effect.hpp"
-#include "reference/engine/world.hpp"
+#include "reference/engine/detector.hpp"
+#include "reference/engine/pair_predictor.hpp"
 
 namespace tps {
 
 template <typename Scalar, int D>
-class AllPairs {
+class AllPairs final : public Detector<Scalar, D> {
  public:
-  using Effects = std::vector<std::unique_ptr<Effect<Scalar, D>>>;
+  using Event = PendingEvent<Scalar>;
 
-  explicit AllPairs(const Effects& effects) {
-    for (std::size_t n = 0; n < effects.size(); ++n) {
-      if (effects[n]->predicts_pairs()) predictors_.push_back({effects[n].get(), static_cast<int>(n)});
-    }
-  }
+  explicit AllPairs(const typename PairPredictor<Scalar, D>::Effects& effects) : predictor_(effects) {}
 
   /// N(N − 1)/2 pairs, once.
-  void predict_all(World<Scalar, D>& world) const {
+  void predict_all(World<Scalar, D>& world) override {
+    queue_ = {};
     for (int i = 0; i < world.size(); ++i) {
       for (int j = i + 1; j < world.size(); ++j) predict(world, i, j);
     }
   }
 
-  /// The pairs of the particles that an event touched (ascending), each once.
-  void predict_touched(World<Scalar, D>& world, const std::vector<int>& touched) {
+  /// The pairs of the touched particles, each once.
+  void predict_touched(World<Scalar, D>& world, const std::vector<int>& touched) override {
     is_touched_.assign(world.particles.size(), false);
     for (const int i : touched) is_touched_[static_cast<std::size_t>(i)] = true;
     for (const int i : touched) {
@@ -39,49 +36,33 @@ class AllPairs {
     }
   }
 
+  Time<Scalar> earliest(World<Scalar, D>& world, const Time<Scalar>&) override {
+    const Event* event = next(world);
+    return event != nullptr ? event->time : Time<Scalar>::never();
+  }
+
+  void collect(World<Scalar, D>& world, const Time<Scalar>& latest, std::vector<Event>& events) override {
+    const auto first = static_cast<std::ptrdiff_t>(events.size());
+    while (const Event* event = next(world)) {
+      if (latest < event->time) break;
+      events.push_back(*event);
+      queue_.pop();
+    }
+    std::for_each(events.begin() + first, events.end(), [&](const Event& event) { queue_.push(event); });
+  }
+
  private:
-  /// Queues the earliest event of a pair. Its time is a function of the two stored states alone: the later of
-  /// the two clocks, to which the other particle is advanced, plus the answer of eq. (2). A time beyond the
-  /// range of the scalar is queued as never: there is an event, which no clock reaches. Throws OutOfRange.
-  void predict(World<Scalar, D>& world, int i, int j) const {
-    const Law<Scalar>& law = world.law(i, j);
-    if (!law.blocking && !law.tethering) return;
-    if (world.coupling->together(i, j)) return;
-    const PairView<Scalar, D> pair = world.view(i, j);
-    require_range(world, pair);
-    std::optional<Scalar> earliest;
-    int effect = 0;
-    for (const Predictor& predictor : predictors_) {
-      const std::optional<LimitQuestion<Scalar>> question = predictor.effect->asks(world, i, j);
-      if (!question) continue;
-      const std::optional<Scalar> dt = world.timing.next(pair, *question);
-      if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
-      if (!dt || (earliest && !(*dt < *earliest))) continue;
-      earliest = dt;
-      effect = predictor.index;
-    }
-    if (!earliest) return;
-    const Time<Scalar> time = after(pair.start, *earliest);
-    world.queue.push(world.pending(time, Rank::collision, i, j, 0, effect));
+  const Event* next(const World<Scalar, D>& world) {
+    return queue_.next([&](const Event& event) { return world.is_live(event); });
   }
 
-  static void require_range(const World<Scalar, D>& world, const PairView<Scalar, D>& pair) {
-    const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
-    if (finite(pair.u_j - pair.u_i) && finite(pair.v_j - pair.v_i)) return;
-    for (const int i : {pair.i, pair.j}) {
-      if (!finite(world.position(i, pair.start))) {
-        throw OutOfRange("the position of " + particle_name(world.scene, i));
-      }
-    }
-    const char* what = finite(pair.u_j - pair.u_i) ? "the relative velocity of " : "the distance of ";
-    throw OutOfRange(what + pair_name(world.scene, pair.i, pair.j));
+  void predict(const World<Scalar, D>& world, int i, int j) {
+    const std::optional<Event> event = predictor_.earliest(world, i, j);
+    if (event) queue_.push(*event);
   }
 
-  struct Predictor {
-    const Effect<Scalar, D>* effect;
-    int index;
-  };
-  std::vector<Predictor> predictors_;
+  PairPredictor<Scalar, D> predictor_;
+  EventQueue<Scalar> queue_;
   std::vector<bool> is_touched_;
 };
 

@@ -120,8 +120,25 @@ class PairTiming {
                                                                     question.distance);
   }
 
+  /// Whether a pair certainly recedes, h > 0: half of all questions, and the cheapest of the exact verdicts.
+  /// A rounded sum of differences and products errs by less than 8 ε Σ|r_k v_k| and what underflows
+  /// (normal_sign() counts the roundings); a sum that is not finite is not above its bound.
+  static bool parts(const View& pair) {
+    using std::abs;
+    using Limits = std::numeric_limits<Scalar>;
+    Scalar sum(0);
+    Scalar size(0);
+    for (int k = 0; k < D; ++k) {
+      const Scalar term = (pair.u_j[k] - pair.u_i[k]) * (pair.v_j[k] - pair.v_i[k]);
+      sum += term;
+      size += abs(term);
+    }
+    return sum > Scalar(8) * Limits::epsilon() * size + (Limits::min)() && size <= (Limits::max)();
+  }
+
   /// Positions that have left the range of the scalar have no event any more.
   CollisionTime<Scalar> certified_answer(const View& pair, const Question& question) const {
+    if (question.kind == TimingKind::block && parts(pair)) return {TimingVerdict::receding, std::nullopt};
     const TimingQuery query = lifted_query(pair, question);
     if (!valid(query)) return {TimingVerdict::static_pair, std::nullopt};
     const CollisionTime<double> answer = choice_.certifier->answer(query);

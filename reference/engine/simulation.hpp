@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "reference/engine/all_pairs.hpp"
+#include "reference/engine/cells/cells.hpp"
+#include "reference/engine/detector.hpp"
 #include "reference/engine/effect.hpp"
 #include "reference/engine/effect_catalogue.hpp"
 #include "reference/engine/energy.hpp"
@@ -45,9 +47,9 @@ template <typename Scalar, int D>
 class Simulation {
  public:
   /// The scene is not copied and must outlive the simulation. Throws OutOfRange.
-  explicit Simulation(Scene&&, const TimingChoice& = {}) = delete;
-  explicit Simulation(const Scene& scene, const TimingChoice& timing = {})
-      : world_(scene, timing), effects_(called_effects<Scalar, D>(scene)), pairs_(effects_) {
+  explicit Simulation(Scene&&, const TimingChoice& = {}, DetectorKind = {}) = delete;
+  explicit Simulation(const Scene& scene, const TimingChoice& timing = {}, DetectorKind detector = {})
+      : world_(scene, timing), effects_(called_effects<Scalar, D>(scene)), detector_(made(detector, timing)) {
     world_.coupling = std::make_unique<FreeCoupling<Scalar, D>>();
     for (std::size_t n = 0; n < effects_.size(); ++n) effects_[n]->begin(world_, static_cast<int>(n));
     world_.ledger.kinetic_at_start = kinetic_energy(world_);
@@ -60,25 +62,28 @@ class Simulation {
   const World<Scalar, D>& world() const { return world_; }
   const std::vector<std::unique_ptr<Effect<Scalar, D>>>& effects() const { return effects_; }
 
-  /// The time of the next event; never() if there is none.
-  Time<Scalar> next_time() {
-    const std::optional<PendingEvent<Scalar>>& next = next_event();
-    return next ? next->time : Time<Scalar>::never();
-  }
+  /// Nobody will ask for events beyond this time. A run that ends at some time says so, since many particles
+  /// that meet nobody any more are otherwise followed until it is certain that they never will.
+  /// REQUIRES that nobody has asked for an event yet.
+  void set_horizon(const Time<Scalar>& horizon) { horizon_ = horizon; }
+
+  /// The time of the next event; never() if there is none. Where there is none up to the horizon, some time
+  /// beyond it.
+  Time<Scalar> next_time() { return next_event().time; }
 
   /// Two particles that have an event which no time of the scalar reaches, where nothing is due before it.
   std::optional<std::pair<int, int>> beyond_every_time() {
-    const std::optional<PendingEvent<Scalar>>& next = next_event();
+    const std::optional<PendingEvent<Scalar>>& next = next_event().event;
     if (!next || next->rank != Rank::collision || next->time < Time<Scalar>::never()) return std::nullopt;
     return std::pair(next->first, next->second);
   }
 
-  /// Processes the next event. REQUIRES that there is one. Throws OutOfRange: then the state is not one of a
-  /// run any more.
+  /// Processes the next event. REQUIRES that there is one up to the horizon. Throws OutOfRange: then the
+  /// state is not one of a run any more.
   ///
   /// (1) advance the clock, (2) respond, (3) predict again the pairs of whatever was touched.
   void step() {
-    const PendingEvent<Scalar> event = *next_event();
+    const PendingEvent<Scalar> event = *next_event().event;
     next_.reset();
     note_progress(event.time);
     world_.now = event.time;
@@ -110,15 +115,22 @@ class Simulation {
   }
 
  private:
+  std::unique_ptr<Detector<Scalar, D>> made(DetectorKind kind, const TimingChoice& timing) const {
+    const bool many = world_.size() >= Cells<Scalar, D>::kWorthwhile;
+    if (kind == DetectorKind::cells || (kind == DetectorKind::automatic && many))
+      return std::make_unique<Cells<Scalar, D>>(world_, timing, effects_);
+    return std::make_unique<AllPairs<Scalar, D>>(effects_);
+  }
+
   void predict_everything() {
     for (const auto& effect : effects_) effect->queue_known(world_);
-    pairs_.predict_all(world_);
+    detector_->predict_all(world_);
   }
 
   /// Out of the queue already; kept until step() takes it.
-  const std::optional<PendingEvent<Scalar>>& next_event() {
-    if (!next_) next_ = take_next(world_, effects_);
-    return next_;
+  const ChosenEvent<Scalar>& next_event() {
+    if (!next_) next_ = choice_.take(world_, *detector_, effects_, horizon_);
+    return *next_;
   }
 
   void note_progress(const Time<Scalar>& time) {
@@ -126,15 +138,17 @@ class Simulation {
   }
 
   void predict_touched() {
-    const std::vector<int> touched = world_.take_touched();
+    const std::vector<int>& touched = world_.take_touched();
     for (const auto& effect : effects_) effect->refresh(world_, touched);
-    pairs_.predict_touched(world_, touched);
+    detector_->predict_touched(world_, touched);
   }
 
   World<Scalar, D> world_;
   std::vector<std::unique_ptr<Effect<Scalar, D>>> effects_;
-  AllPairs<Scalar, D> pairs_;
-  std::optional<PendingEvent<Scalar>> next_;
+  std::unique_ptr<Detector<Scalar, D>> detector_;
+  NextEventChoice<Scalar, D> choice_;
+  Time<Scalar> horizon_ = Time<Scalar>::never();
+  std::optional<ChosenEvent<Scalar>> next_;
   std::uint64_t progress_event_ = 0;
 };
 

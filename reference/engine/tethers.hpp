@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <compare>
 #include <utility>
 #include <vector>
@@ -55,7 +56,13 @@ class Responded {
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
 
-  explicit Responded(std::vector<bool> fixed) : fixed_(std::move(fixed)), entries_(fixed_.size()) {}
+  /// Few at a time: they are kept where the particle's list is, without allocating.
+  using Entries = boost::container::small_vector<Entry, 3>;
+
+  explicit Responded(const std::vector<bool>& fixed)
+      : fixed_(fixed.begin(), fixed.end()),
+        entries_(fixed.size()),
+        glances_(fixed.size(), {kNobody, Limit::inner}) {}
 
   bool contains(int i, int j, Limit limit) const { return has(i, {j, limit}) && has(j, {i, limit}); }
   void add(int i, int j, Limit limit) {
@@ -63,23 +70,34 @@ class Responded {
     insert(j, {i, limit});
   }
   /// The velocity of i has changed.
-  void forget(int i) { entries_[static_cast<std::size_t>(i)].clear(); }
+  void forget(int i) {
+    entries_[static_cast<std::size_t>(i)].clear();
+    glances_[static_cast<std::size_t>(i)] = {kNobody, Limit::inner};
+  }
   /// Ascending, so that a full state does not depend on entries that a partner has since made void.
-  const std::vector<Entry>& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
+  const Entries& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
 
  private:
-  bool is_fixed(int i) const { return fixed_[static_cast<std::size_t>(i)]; }
+  bool is_fixed(int i) const { return fixed_[static_cast<std::size_t>(i)] != 0; }
   bool has(int i, Entry entry) const {
-    return is_fixed(i) || std::binary_search(of(i).begin(), of(i).end(), entry);
+    if (is_fixed(i)) return true;
+    const Entry& glance = glances_[static_cast<std::size_t>(i)];
+    if (glance.partner != kSeveral) return glance == entry;
+    return std::binary_search(of(i).begin(), of(i).end(), entry);
   }
   void insert(int i, Entry entry) {
     if (has(i, entry)) return;
-    std::vector<Entry>& entries = entries_[static_cast<std::size_t>(i)];
+    Entries& entries = entries_[static_cast<std::size_t>(i)];
     entries.insert(std::lower_bound(entries.begin(), entries.end(), entry), entry);
+    glances_[static_cast<std::size_t>(i)] = entries.size() == 1 ? entry : Entry{kSeveral, Limit::inner};
   }
 
-  std::vector<bool> fixed_;
-  std::vector<std::vector<Entry>> entries_;
+  static constexpr int kNobody = -1;
+  static constexpr int kSeveral = -2;
+
+  std::vector<char> fixed_;
+  std::vector<Entries> entries_;
+  std::vector<Entry> glances_;  ///< a lone entry, nobody, or several: most questions need no list
 };
 
 }  // namespace tps

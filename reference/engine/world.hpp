@@ -29,9 +29,10 @@
 
 namespace tps {
 
-/// A particle where it was when its velocity last changed; from there it flies straight.
+/// A particle where it was when its velocity last changed; from there it flies straight. In space and in
+/// double it fills a cache line.
 template <typename Scalar, int D>
-struct ParticleState {
+struct alignas(sizeof(Scalar) * (2 * D + 2) == 64 ? 64 : alignof(Scalar)) ParticleState {
   Vector<Scalar, D> position, velocity;
   Time<Scalar> clock;
 };
@@ -65,9 +66,9 @@ class World {
   RecordSink<Scalar, D> sink;
 
   int size() const { return static_cast<int>(particles.size()); }
-  int species(int i) const { return scene.particles[index(i)].species; }
+  int species(int i) const { return species_[index(i)]; }
   const Scalar& mass(int i) const { return masses_[index(i)]; }
-  bool fixed(int i) const { return fixed_[index(i)]; }
+  bool fixed(int i) const { return fixed_[index(i)] != 0; }
   const Vec& velocity(int i) const { return particles[index(i)].velocity; }
   /// The common velocity of infinite masses; zero where there is none.
   const Vec& frame_velocity() const { return frame_velocity_; }
@@ -97,8 +98,8 @@ class World {
   void set_velocity(int i, const Vec& velocity);
   /// Marks a particle's predictions as void; they are made again after the event.
   void touch(int i);
-  /// The particles touched since the last call, ascending.
-  std::vector<int> take_touched();
+  /// The particles touched since the last call, ascending; valid until the next one.
+  const std::vector<int>& take_touched();
 
   /// A record of an event of i and j now, with both brought to now.
   Record<Scalar, D> open_record(std::string_view kind, int i, int j);
@@ -118,11 +119,12 @@ class World {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
  private:
+  std::vector<int> species_;  ///< as in the scene, side by side
   std::vector<Scalar> masses_;
-  std::vector<bool> fixed_;
+  std::vector<char> fixed_;
   Vec frame_velocity_ = Vec::Zero();
-  std::vector<int> touched_;
-  std::vector<bool> is_touched_;
+  std::vector<int> touched_, taken_;
+  std::vector<char> is_touched_;
 };
 
 template <typename Scalar, int D>
@@ -149,11 +151,13 @@ World<Scalar, D>::World(const Scene& scene_in, const TimingChoice& timing_in)
       revisions(scene_in.particles.size(), 0),
       tethers(scene_in.particles.size()),
       responded(infinite_masses(scene_in)),
-      fixed_(infinite_masses(scene_in)),
       is_touched_(scene_in.particles.size(), false) {
   for (const Particle& p : scene.particles) {
     particles.push_back({lifted<Scalar, D>(p.position), lifted<Scalar, D>(p.velocity), {}});
-    masses_.push_back(Scalar(scene.species[index(p.species)].mass));
+    species_.push_back(p.species);
+    const double mass = scene.species[index(p.species)].mass;
+    masses_.push_back(Scalar(mass));
+    fixed_.push_back(mass == std::numeric_limits<double>::infinity());
     if (fixed_[particles.size() - 1]) frame_velocity_ = particles.back().velocity;
   }
   for (const Tether& tether : scene.tethers) tethers.add(tether.i, tether.j);
@@ -186,10 +190,12 @@ void World<Scalar, D>::touch(int i) {
 }
 
 template <typename Scalar, int D>
-std::vector<int> World<Scalar, D>::take_touched() {
+const std::vector<int>& World<Scalar, D>::take_touched() {
   for (const int i : touched_) is_touched_[index(i)] = false;
   std::sort(touched_.begin(), touched_.end());
-  return std::exchange(touched_, {});
+  taken_.swap(touched_);
+  touched_.clear();
+  return taken_;
 }
 
 template <typename Scalar, int D>
@@ -198,6 +204,7 @@ Record<Scalar, D> World<Scalar, D>::open_record(std::string_view kind, int i, in
   record.kind = kind;
   record.i = i;
   record.j = j;
+  record.involved.reserve(2);
   involve(record, i);
   if (j != i) involve(record, j);
   return record;

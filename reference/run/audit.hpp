@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "reference/engine/response.hpp"
 #include "reference/engine/world.hpp"
+#include "reference/scene/point_tree.hpp"
 
 namespace tps {
 
@@ -17,28 +19,91 @@ struct BoundExcess {
   Scalar outer{0};
 };
 
-/// Looks at all pairs, N(N − 1)/2 distances, at a time up to which every particle flies straight.
+namespace detail {
+
+/// Looks at every pair that a tree of positions in double cannot clear: O(N log N) while few are near.
 template <typename Scalar, int D>
-BoundExcess<Scalar> audit_bounds(const World<Scalar, D>& world, const Time<Scalar>& t) {
-  std::vector<Vector<Scalar, D>> at;
-  for (int i = 0; i < world.size(); ++i) at.push_back(world.position(i, t));
-  BoundExcess<Scalar> worst;
-  for (int i = 0; i < world.size(); ++i) {
-    for (int j = i + 1; j < world.size(); ++j) {
-      const Law<Scalar>& law = world.law(i, j);
-      if (!law.blocking && !law.tethering) continue;
-      const Vector<Scalar, D>& u_i = at[world.index(i)];
-      const Vector<Scalar, D>& u_j = at[world.index(j)];
-      const Scalar distance = norm<Scalar, D>(u_j - u_i);
-      const Scalar ulp = coordinate_ulp<Scalar, D>(u_i, u_j);
-      if (law.blocking)
-        worst.inner = std::max(worst.inner, Scalar((law.blocking->distance - distance) / ulp));
-      if (world.tethered(i, j)) {
-        worst.outer = std::max(worst.outer, Scalar((distance - law.tethering->distance) / ulp));
+class Audit {
+ public:
+  Audit(const World<Scalar, D>& world, const Time<Scalar>& t) : world_(world), places_(world.scene) {
+    using std::abs;
+    for (int i = 0; i < world.size(); ++i) {
+      at_.push_back(world.position(i, t));
+      Coordinates& place = places_.particles[world.index(i)].position;
+      for (int k = 0; k < D; ++k) {
+        place[static_cast<std::size_t>(k)] = static_cast<double>(at_.back()[k]);
+        farthest_ = std::max(farthest_, std::fabs(place[static_cast<std::size_t>(k)]));
       }
     }
   }
-  return worst;
+
+  BoundExcess<Scalar> excess() {
+    for (const PairLaw& law : world_.scene.pairs) judge(law);
+    for (int i = 0; i < world_.size(); ++i) {
+      for (const int j : world_.tethers.of(i)) {
+        if (i < j) look_at(i, j);
+      }
+    }
+    return worst_;
+  }
+
+ private:
+  /// What a wider scalar loses when its positions become doubles is far below the widening of the limits.
+  void judge(const PairLaw& law) {
+    const bool permanent = law.tethering && law.tethering->form.when == FormRule::When::permanent;
+    const std::vector<std::size_t> a = members(law.species_a);
+    const PointTree b(places_, members(law.species_b));
+    const bool all = !(farthest_ < 0x1p500);
+    for (const std::size_t i : a) {
+      const Coordinates& place = places_.particles[i].position;
+      const auto worth = [&](const PointTree::Box& box) {
+        const double slack = 0x1p-48 * farthest_;
+        return all ||
+               (law.blocking && may_be_nearer(box, place, law.blocking->distance * (1 + 0x1p-20) + slack)) ||
+               (permanent && may_be_farther(box, place,
+                                            std::max(law.tethering->distance * (1 - 0x1p-20) - slack,
+                                                     law.tethering->distance / 2)));
+      };
+      b.visit(worth, [&](std::size_t j) {
+        if (i != j) look_at(static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j)));
+      });
+    }
+  }
+
+  std::vector<std::size_t> members(int species) const {
+    std::vector<std::size_t> members;
+    for (int i = 0; i < world_.size(); ++i) {
+      if (world_.species(i) == species) members.push_back(world_.index(i));
+    }
+    return members;
+  }
+
+  void look_at(int i, int j) {
+    const Law<Scalar>& law = world_.law(i, j);
+    const Vector<Scalar, D>& u_i = at_[world_.index(i)];
+    const Vector<Scalar, D>& u_j = at_[world_.index(j)];
+    const Scalar distance = norm<Scalar, D>(u_j - u_i);
+    const bool inside = law.blocking && distance < law.blocking->distance;
+    const bool outside = world_.tethered(i, j) && distance > law.tethering->distance;
+    if (!inside && !outside) return;
+    const Scalar ulp = coordinate_ulp<Scalar, D>(u_i, u_j);
+    if (inside) worst_.inner = std::max(worst_.inner, Scalar((law.blocking->distance - distance) / ulp));
+    if (outside) worst_.outer = std::max(worst_.outer, Scalar((distance - law.tethering->distance) / ulp));
+  }
+
+  const World<Scalar, D>& world_;
+  Scene places_;  ///< the scene with its particles where they are
+  std::vector<Vector<Scalar, D>> at_;
+  double farthest_ = 0;
+  BoundExcess<Scalar> worst_;
+};
+
+}  // namespace detail
+
+/// Looks at every pair that can be beyond a limit, at a time up to which every particle flies straight.
+template <typename Scalar, int D>
+BoundExcess<Scalar> audit_bounds(const World<Scalar, D>& world, const Time<Scalar>& t) {
+  return detail::Audit<Scalar, D>(world, t).excess();
 }
 
 }  // namespace tps

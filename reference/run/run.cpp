@@ -34,6 +34,17 @@ std::optional<Timing> timing_named(std::string_view name) {
   return static_cast<Timing>(found - timing_names().begin());
 }
 
+const std::vector<std::string>& detector_names() {
+  static const std::vector<std::string> names = {"automatic", "all-pairs", "cells"};
+  return names;
+}
+
+std::optional<DetectorKind> detector_named(std::string_view name) {
+  const auto found = std::find(detector_names().begin(), detector_names().end(), name);
+  if (found == detector_names().end()) return std::nullopt;
+  return static_cast<DetectorKind>(found - detector_names().begin());
+}
+
 bool can_be_timed(ScalarKind scalar, Timing timing) {
   return timing != Timing::certified || scalar == ScalarKind::float_ || scalar == ScalarKind::double_;
 }

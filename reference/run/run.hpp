@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/engine/detector_kind.hpp"
 #include "reference/engine/timing.hpp"
 #include "reference/scene/scene.hpp"
 
@@ -28,18 +29,23 @@ std::optional<ScalarKind> scalar_kind(std::string_view name);
 const std::vector<std::string>& timing_names();
 /// Nothing for an unknown name.
 std::optional<Timing> timing_named(std::string_view name);
+/// "automatic", "all-pairs", "cells", in the order of DetectorKind.
+const std::vector<std::string>& detector_names();
+/// Nothing for an unknown name.
+std::optional<DetectorKind> detector_named(std::string_view name);
 /// Whether runs in a scalar can be timed so: certified timing is for float and double.
 bool can_be_timed(ScalarKind scalar, Timing timing);
 
 struct RunOptions {
   ScalarKind scalar = ScalarKind::double_;
   Timing timing = Timing::stable;
-  CertifiedTiming* certifier = nullptr;     ///< answers for Timing::certified, and counts
-  std::optional<double> until;              ///< instead of the scene's duration
-  std::optional<std::uint64_t> max_events;  ///< ends after the first step that reaches it
-  std::uint64_t state_every = 0;            ///< a full state every so many events; 0: default_state_every
-  std::string trace;                        ///< file to write, "-" for standard output, empty for none
-  std::string checkpoint;                   ///< file that always holds the latest full state, empty for none
+  CertifiedTiming* certifier = nullptr;             ///< answers for Timing::certified, and counts
+  DetectorKind detector = DetectorKind::automatic;  ///< changes how long a run takes and nothing else
+  std::optional<double> until;                      ///< instead of the scene's duration
+  std::optional<std::uint64_t> max_events;          ///< ends after the first step that reaches it
+  std::uint64_t state_every = 0;  ///< a full state every so many events; 0: default_state_every
+  std::string trace;              ///< file to write, "-" for standard output, empty for none
+  std::string checkpoint;         ///< file that always holds the latest full state, empty for none
   const std::atomic<bool>* interrupt = nullptr;  ///< ends the run, in good order, once it is true
 
   struct Progress {

@@ -28,9 +28,10 @@ class RecordedRun {
         duration_(options.until.value_or(scene.duration)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
         files_(options),
-        simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}),
+        simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}, options.detector),
         schedule_(scene, scene.duration) {
     if (resume != nullptr) take_up(*resume);
+    simulation_->set_horizon({Scalar(duration_), Scalar(0)});
     files_.begin(scene, options, state_every_, resume);
     last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
@@ -115,7 +116,8 @@ class RecordedRun {
   /// A step that broke off has changed some of the state. Since a run is a function of its last full state,
   /// simulating from there gives what was before it.
   void simulate_again(std::uint64_t events) {
-    simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier});
+    simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier}, options_.detector);
+    simulation_->set_horizon({Scalar(duration_), Scalar(0)});
     restore(*simulation_, last_state_);
     while (world().events < events) simulation_->step();
     listen();

@@ -27,7 +27,7 @@ struct RunArguments {
   std::string scene;
   std::string scalar = "double";
   std::string timing = "stable";
-  std::string detector = "all-pairs";
+  std::string detector = "automatic";
   std::string format = "text";
   std::string resume;
   bool quiet = false;
@@ -78,6 +78,7 @@ RunSummary simulate(RunArguments& a, StartNotice& notice) {
 int run(RunArguments& a) {
   a.options.scalar = *scalar_kind(a.scalar);
   a.options.timing = *timing_named(a.timing);
+  a.options.detector = *detector_named(a.detector);
   if (!can_be_timed(a.options.scalar, a.options.timing)) {
     throw CLI::ValidationError("--timing certified",
                                "answers for the numbers of a run in float or double, not " + a.scalar +
@@ -136,8 +137,10 @@ void add_run(CLI::App& app, int& exit_code) {
                        "answers on the stored numbers, order included")
           ->check(CLI::IsMember(timing_names()))
           ->capture_default_str();
-  verb->add_option("--detector", a->detector, "How the next collision is found")
-      ->check(CLI::IsMember({"all-pairs"}))
+  verb->add_option(
+          "--detector", a->detector,
+          "How the next collision is found: by asking every pair, or neighbours only. The run is the same")
+      ->check(CLI::IsMember(detector_names()))
       ->capture_default_str();
   verb->add_option("--until", a->options.until, "End at this time instead of the scene's duration")
       ->check(number_from(0, HUGE_VAL, "a time"));

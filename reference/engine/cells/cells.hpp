@@ -1,0 +1,238 @@
+// The detector for many particles: each is asked about its neighbours only, and looks for new ones when it
+// leaves its region. docs/scale.md says why no event is missed.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "reference/engine/cells/neighbourhood.hpp"
+#include "reference/engine/cells/outlook.hpp"
+#include "reference/engine/cells/particle_queue.hpp"
+#include "reference/engine/detector.hpp"
+#include "reference/engine/pair_predictor.hpp"
+
+namespace tps {
+
+template <typename Scalar, int D>
+class Cells final : public Detector<Scalar, D> {
+ public:
+  using Event = PendingEvent<Scalar>;
+
+  /// From how many particles on cells are faster than all pairs (docs/performance.md).
+  static constexpr int kWorthwhile = 16;
+
+  Cells(const World<Scalar, D>& world, const TimingChoice& timing,
+        const typename PairPredictor<Scalar, D>::Effects& effects)
+      : predictor_(effects), neighbourhood_(world, timing) {}
+
+  void predict_all(World<Scalar, D>& world) override { start(world, false); }
+
+  void predict_touched(World<Scalar, D>& world, const std::vector<int>& touched) override {
+    if (touched.empty()) return;
+    if (everyone_knows_all_) settle(world);
+    looks_since_event_ = 0;
+    for (const int i : touched) {
+      outlooks_[at(i)].clear();
+      if (neighbourhood_.has_level(world, i)) stay_or_move(world, i);
+    }
+    for (const int i : touched) {
+      neighbourhood_.around(world, i, {}, [&](int j) {
+        if (j > i || !std::binary_search(touched.begin(), touched.end(), j)) ask(world, i, j);
+      });
+    }
+    for (const int i : touched) queue_.schedule(i, outlooks_[at(i)].due());
+  }
+
+  Time<Scalar> earliest(World<Scalar, D>& world, const Time<Scalar>& limit) override {
+    if (outlooks_.empty()) return Time<Scalar>::never();
+    for (;;) {
+      const auto& due = queue_.earliest();
+      if (limit < due.time || is_ready(world, due.particle)) return due.time;
+    }
+  }
+
+  void collect(World<Scalar, D>& world, const Time<Scalar>& latest, std::vector<Event>& events) override {
+    if (outlooks_.empty()) return;
+    do {
+      due_.clear();
+      queue_.due_until(latest, due_);
+    } while (!are_ready(world, latest));
+    const std::size_t first = events.size();
+    for (const int i : due_) append_events(world, i, latest, events);
+    if (events.size() - first <= 1) return;
+    // A pair is in the outlooks of both.
+    const auto pair_of = [](const Event& event) { return std::pair(event.first, event.second); };
+    const auto begin = events.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, events.end(), [&](const Event& a, const Event& b) { return pair_of(a) < pair_of(b); });
+    events.erase(std::unique(begin, events.end(),
+                             [&](const Event& a, const Event& b) { return pair_of(a) == pair_of(b); }),
+                 events.end());
+  }
+
+ private:
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+  void start(World<Scalar, D>& world, bool everywhere) {
+    neighbourhood_.place_all(world, everywhere);
+    outlooks_.assign(world.particles.size(), {});
+    queue_.reset(world.particles.size());
+    everyone_knows_all_ = everywhere;
+    looks_since_event_ = 0;
+    for (int i = 0; i < world.size(); ++i) {
+      if (!everywhere && neighbourhood_.has_level(world, i)) set_look(world, i, world.now);
+    }
+    for (int i = 0; i < world.size(); ++i) {
+      neighbourhood_.around(world, i, {}, [&](int j) {
+        if (j > i) ask(world, i, j);
+      });
+      queue_.schedule(i, outlooks_[at(i)].due());
+    }
+  }
+
+  /// After everyone was asked about everyone: regions again, and nothing to ask.
+  void settle(const World<Scalar, D>& world) {
+    everyone_knows_all_ = false;
+    neighbourhood_.place_all(world, false);
+    for (int i = 0; i < world.size(); ++i) {
+      if (!neighbourhood_.has_level(world, i)) continue;
+      set_look(world, i, world.now);
+      queue_.schedule(i, outlooks_[at(i)].due());
+    }
+  }
+
+  /// Keeps a touched particle in its region if it is still there, else files it anew.
+  void stay_or_move(const World<Scalar, D>& world, int i) {
+    if (!neighbourhood_.roams(i)) {
+      const auto leaves = neighbourhood_.leaves(world, i, world.now);
+      if (leaves) {
+        outlooks_[at(i)].look = *leaves;
+        return;
+      }
+    }
+    neighbourhood_.move(world, i, world.now);
+    set_look(world, i, world.now);
+  }
+
+  /// REQUIRES that the particle is in its region at time t, or roams.
+  void set_look(const World<Scalar, D>& world, int i, const Time<Scalar>& t) {
+    Time<Scalar>& look = outlooks_[at(i)].look;
+    look = Time<Scalar>::never();
+    if (neighbourhood_.roams(i)) return;
+    const auto leaves = neighbourhood_.leaves(world, i, t);
+    if (leaves) {
+      look = *leaves;
+    } else {
+      neighbourhood_.set_free(world, i);
+    }
+  }
+
+  /// A particle leaves its region: it is filed anew, and asked about those whom it can meet from there only.
+  void look(World<Scalar, D>& world, int i) {
+    if (++looks_since_event_ > most_looks(world)) {
+      start(world, true);
+      return;
+    }
+    const Time<Scalar> t = outlooks_[at(i)].look;
+    const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
+    set_look(world, i, t);
+    neighbourhood_.around(world, i, left, [&](int j) { ask(world, i, j); });
+    queue_.schedule(i, outlooks_[at(i)].due());
+  }
+
+  /// Looks in a row that cost as much as asking all pairs: by then nobody may meet anyone any more, and only
+  /// that would tell.
+  static std::uint64_t most_looks(const World<Scalar, D>& world) {
+    const auto n = static_cast<std::uint64_t>(world.size());
+    return 64 + n * n / 8;
+  }
+
+  /// Takes the next event of a pair into the outlooks of both. An infinite mass has none: it never changes,
+  /// so that its partner's is enough.
+  void ask(const World<Scalar, D>& world, int i, int j) {
+    const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+    if (!event) return;
+    add(world, i, j, *event);
+    if (add(world, j, i, *event)) queue_.schedule(j, outlooks_[at(j)].due());
+  }
+
+  bool add(const World<Scalar, D>& world, int i, int partner, const Event& event) {
+    if (world.fixed(i)) return false;
+    outlooks_[at(i)].add(event.time, {partner, world.revisions[at(partner)], event.effect});
+    return true;
+  }
+
+  static bool is_live(const World<Scalar, D>& world, const Partner& partner) {
+    return world.revisions[at(partner.particle)] == partner.revision;
+  }
+
+  /// Drops meetings that a partner's change has voided from the front. @return whether there were any.
+  bool drop_void(const World<Scalar, D>& world, int i) {
+    Outlook<Scalar>& outlook = outlooks_[at(i)];
+    bool dropped = false;
+    while (outlook.count() > 0 && !is_live(world, outlook.partner(0))) {
+      outlook.drop_first();
+      dropped = true;
+    }
+    if (dropped) queue_.schedule(i, outlook.due());
+    return dropped;
+  }
+
+  /// Whether what a particle has due first is an event, or nothing. Else does what is due instead.
+  bool is_ready(World<Scalar, D>& world, int i) {
+    if (drop_void(world, i)) return false;
+    Outlook<Scalar>& outlook = outlooks_[at(i)];
+    if (outlook.looks_first()) {
+      look(world, i);
+      return false;
+    }
+    if (outlook.knows_first() || outlook.due() == Time<Scalar>::never()) return true;
+    outlook.clear();
+    neighbourhood_.around(world, i, {}, [&](int j) {
+      const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+      if (event) add(world, i, j, *event);
+    });
+    queue_.schedule(i, outlook.due());
+    return false;
+  }
+
+  /// Whether none of the particles that are due has to look first. Else one of them has looked.
+  bool are_ready(World<Scalar, D>& world, const Time<Scalar>& latest) {
+    for (const int i : due_) {
+      if (drop_void(world, i)) return false;
+      if (outlooks_[at(i)].look <= latest && outlooks_[at(i)].look < Time<Scalar>::never()) {
+        look(world, i);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The live events of a particle up to `latest`; where its outlook ends before that, all are asked again.
+  void append_events(const World<Scalar, D>& world, int i, const Time<Scalar>& latest,
+                     std::vector<Event>& events) const {
+    const Outlook<Scalar>& outlook = outlooks_[at(i)];
+    if (outlook.complete_until() <= latest) {
+      neighbourhood_.around(world, i, {}, [&](int j) {
+        const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+        if (event && event->time <= latest) events.push_back(*event);
+      });
+      return;
+    }
+    for (int n = 0; n < outlook.count() && outlook.time(n) <= latest; ++n) {
+      const Partner& partner = outlook.partner(n);
+      if (!is_live(world, partner)) continue;
+      const auto [first, second] = std::minmax(i, partner.particle);
+      events.push_back(world.pending(outlook.time(n), Rank::collision, first, second, 0, partner.effect));
+    }
+  }
+
+  PairPredictor<Scalar, D> predictor_;
+  Neighbourhood<Scalar, D> neighbourhood_;
+  ParticleQueue<Scalar> queue_;
+  std::vector<Outlook<Scalar>> outlooks_;
+  std::vector<int> due_;
+  std::uint64_t looks_since_event_ = 0;
+  bool everyone_knows_all_ = false;
+};
+
+}  // namespace tps

@@ -1,0 +1,245 @@
+// Where the particles of a run are, region by region, and whom each of them can meet while all stay where
+// they are.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "reference/engine/cells/region_grid.hpp"
+#include "reference/engine/cells/region_plan.hpp"
+#include "reference/engine/world.hpp"
+
+namespace tps {
+
+/// Law: while every particle stays in its region, widened by the margin, a pair that meets is one of those
+/// that around() visits for either of the two (docs/scale.md).
+template <typename Scalar, int D>
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const World<Scalar, D>& world, const TimingChoice& timing)
+      : plan_(RegionPlan::of<Scalar>(world.scene, timing)) {}
+
+  /// Files every particle at its place now; with `everywhere` it is visited by all, wherever it is.
+  void place_all(const World<Scalar, D>& world, bool everywhere) {
+    const std::size_t size = world.particles.size();
+    filed_.assign(size, {});
+    roams_.assign(size, false);
+    roaming_.clear();
+    of_species_.assign(world.scene.species.size(), {});
+    members_.assign(plan_.levels().size(), {});
+    for (int i = 0; i < world.size(); ++i) {
+      of_species_[at(world.species(i))].push_back(i);
+      if (level_of(world, i) == RegionPlan::kNone) continue;
+      members_[at(level_of(world, i))].push_back(i);
+    }
+    std::vector<int> kept;
+    grids_.assign(members_.size(), {});
+    for (std::size_t level = 0; level < members_.size(); ++level) {
+      kept.clear();
+      for (const int i : members_[level]) {
+        const std::optional<Region<D>> region = everywhere ? std::nullopt : region_now(world, i, world.now);
+        if (region) {
+          filed_[at(i)].region = *region;
+          kept.push_back(i);
+        } else {
+          roam(i);
+        }
+      }
+      grids_[level].build(kept, plan_.levels()[level].shift, filed_);
+    }
+  }
+
+  bool roams(int i) const { return roams_[at(i)]; }
+
+  /// A particle with a level is where its region no longer bounds it, or roams: files it anew.
+  /// @return the region that it left, or nothing where it roamed before or roams now.
+  std::optional<Region<D>> move(const World<Scalar, D>& world, int i, const Time<Scalar>& t) {
+    const auto level = at(level_of(world, i));
+    const std::optional<Region<D>> region = region_now(world, i, t);
+    std::optional<Region<D>> left;
+    if (!roams(i)) {
+      grids_[level].remove(i, filed_);
+      left = filed_[at(i)].region;
+    } else {
+      std::erase(roaming_, i);
+      roams_[at(i)] = false;
+    }
+    if (!region) {
+      roam(i);
+      return std::nullopt;
+    }
+    filed_[at(i)].region = *region;
+    grids_[level].file(i, filed_);
+    return left;
+  }
+
+  /// A particle that its region cannot keep roams.
+  void set_free(const World<Scalar, D>& world, int i) {
+    grids_[at(level_of(world, i))].remove(i, filed_);
+    roam(i);
+  }
+
+  bool has_level(const World<Scalar, D>& world, int i) const {
+    return level_of(world, i) != RegionPlan::kNone;
+  }
+
+  /// When a particle may leave its region, widened by half of the margin, or has flown as far as is allowed;
+  /// nothing where it cannot be kept in it even now.
+  std::optional<Time<Scalar>> leaves(const World<Scalar, D>& world, int i, const Time<Scalar>& now) const {
+    const ParticleState<Scalar, D>& p = world.particles[at(i)];
+    const RegionLevel& level = plan_.levels()[at(level_of(world, i))];
+    const Region<D>& region = filed_[at(i)].region;
+    const double half = plan_.margin() / 2;
+    double dt = HUGE_VAL;
+    double speed = 0;
+    for (int k = 0; k < D; ++k) {
+      const double u = static_cast<double>(p.position[k]);
+      const double v = static_cast<double>(p.velocity[k]);
+      if (v == 0) continue;
+      const double low = region[at(k)] * level.side;
+      const double bound = v > 0 ? low + level.side + half : low - half;
+      dt = std::min(dt, (bound - u) / v);
+      speed += std::fabs(v);
+    }
+    if (speed == 0) return Time<Scalar>::never();
+    dt = std::min(dt, plan_.longest_flight() / speed);
+    if (!(dt > static_cast<double>(elapsed(p.clock, now)))) return std::nullopt;
+    return after(p.clock, Scalar(dt));
+  }
+
+  /// Calls visit(j) for everyone whom a particle can meet, some more than once. Those whom it could meet from
+  /// the region that it has `left`, too, are not called, except partners for ever.
+  template <typename Visit>
+  void around(const World<Scalar, D>& world, int i, const std::optional<Region<D>>& left, Visit visit) const {
+    if (roams(i)) {
+      for (int j = 0; j < world.size(); ++j) {
+        if (j != i) visit(j);
+      }
+      return;
+    }
+    const int species = world.species(i);
+    if (!left) {
+      for (const int j : world.tethers.of(i)) visit(j);
+      for (const int j : roaming_) visit(j);
+    }
+    if (!has_level(world, i)) return;
+    visit_partners_for_ever(world, i, visit);
+    for (std::size_t level = 0; level < grids_.size(); ++level) {
+      const double reach = plan_.reach(species, static_cast<int>(level));
+      if (reach < 0) continue;
+      const RegionRange<D> range = range_around(world, i, filed_[at(i)].region, level, reach);
+      const auto candidate = [&](int j) {
+        if (j == i || world.tethered(i, j)) return;
+        visit(j);
+      };
+      if (!left) {
+        search(level, range, candidate);
+        continue;
+      }
+      const RegionRange<D> known =
+          range_around(world, i, *left, level, plan_.known(species, static_cast<int>(level)));
+      search(level, range, [&](int j) {
+        if (!known.contains(filed_[at(j)].region)) candidate(j);
+      });
+    }
+  }
+
+ private:
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+  int level_of(const World<Scalar, D>& world, int i) const { return plan_.level(world.species(i)); }
+
+  void roam(int i) {
+    roams_[at(i)] = true;
+    roaming_.push_back(i);
+  }
+
+  /// The region of a particle at a time, or nothing where it cannot be kept in one.
+  std::optional<Region<D>> region_now(const World<Scalar, D>& world, int i, const Time<Scalar>& t) const {
+    const ParticleState<Scalar, D>& p = world.particles[at(i)];
+    const Vector<Scalar, D> place = world.position(i, t);
+    const RegionLevel& level = plan_.levels()[at(level_of(world, i))];
+    Region<D> region;
+    double largest = 0;
+    double speed = 0;
+    double flight = 0;
+    for (int k = 0; k < D; ++k) {
+      const double u = static_cast<double>(p.position[k]);
+      const double x = static_cast<double>(place[k]);
+      const double v = std::fabs(static_cast<double>(p.velocity[k]));
+      if (v != 0 && !(v > plan_.smallest_component())) return std::nullopt;
+      largest = std::max({largest, std::fabs(u), std::fabs(x)});
+      speed += v;
+      flight += std::fabs(x - u);
+      const double scaled = std::floor(x / level.side);
+      region[at(k)] = std::fabs(scaled) < 0x1p30 ? static_cast<std::int32_t>(scaled) : 0;
+    }
+    if (!plan_.keeps(largest, speed, flight, static_cast<double>(t.hi))) return std::nullopt;
+    return region;
+  }
+
+  RegionRange<D> range_around(const World<Scalar, D>& world, int i, const Region<D>& region,
+                              std::size_t level, double reach) const {
+    const double own = plan_.levels()[at(level_of(world, i))].side;
+    const double other = plan_.levels()[level].side;
+    RegionRange<D> range;
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      range.low[k] = static_cast<std::int32_t>(std::floor((region[k] * own - reach) / other));
+      range.high[k] = static_cast<std::int32_t>(std::floor(((region[k] + 1.0) * own + reach) / other));
+    }
+    return range;
+  }
+
+  template <typename Visit>
+  void search(std::size_t level, const RegionRange<D>& range, Visit visit) const {
+    if (!grids_[level].is_wider_than_its_members(range)) {
+      grids_[level].search(range, filed_, visit);
+      return;
+    }
+    for (const int j : members_[level]) {
+      if (!roams(j) && range.contains(filed_[at(j)].region)) visit(j);
+    }
+  }
+
+  /// Those of the partners for ever whose limits are within reach: a ball far from its container's wall is
+  /// not asked.
+  template <typename Visit>
+  void visit_partners_for_ever(const World<Scalar, D>& world, int i, Visit visit) const {
+    for (const RegionPlan::Permanent& partner : plan_.permanent(world.species(i))) {
+      for (const int j : of_species_[at(partner.species)]) {
+        if (j != i && (roams(j) || is_within_reach(world, i, j, partner))) visit(j);
+      }
+    }
+  }
+
+  bool is_within_reach(const World<Scalar, D>& world, int i, int j,
+                       const RegionPlan::Permanent& partner) const {
+    const double side_i = plan_.levels()[at(level_of(world, i))].side;
+    const double side_j = plan_.levels()[at(level_of(world, j))].side;
+    const double margin = plan_.margin();
+    double nearest = 0;
+    double farthest = 0;
+    for (std::size_t k = 0; k < filed_[at(i)].region.size(); ++k) {
+      const double low_i = filed_[at(i)].region[k] * side_i - margin;
+      const double low_j = filed_[at(j)].region[k] * side_j - margin;
+      const double up = low_j + side_j + 2 * margin - low_i;    // of j above the lowest of i
+      const double down = low_i + side_i + 2 * margin - low_j;  // of i above the lowest of j
+      const double gap = std::max({0.0, -up, -down});
+      nearest += gap * gap;
+      farthest += std::max(up, down) * std::max(up, down);
+    }
+    return nearest < partner.near * std::fabs(partner.near) || farthest > partner.far * partner.far;
+  }
+
+  RegionPlan plan_;
+  std::vector<FiledRegion<D>> filed_;
+  std::vector<RegionGrid<D>> grids_;       ///< by level
+  std::vector<std::vector<int>> members_;  ///< by level, roaming ones included
+  std::vector<std::vector<int>> of_species_;
+  std::vector<bool> roams_;
+  std::vector<int> roaming_;
+};
+
+}  // namespace tps

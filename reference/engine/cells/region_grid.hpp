@@ -1,0 +1,149 @@
+// Which particles have their regions where: buckets of a grid that is wrapped around like a torus, so that
+// space is unbounded and neighbouring buckets lie together in memory.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tps {
+
+/// A cube of a lattice, by its lowest corner in units of its side.
+template <int D>
+using Region = std::array<std::int32_t, static_cast<std::size_t>(D)>;
+
+/// Regions from low to high, both included.
+template <int D>
+struct RegionRange {
+  Region<D> low, high;
+
+  bool contains(const Region<D>& region) const {
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      if (region[k] < low[k] || region[k] > high[k]) return false;
+    }
+    return true;
+  }
+};
+
+/// Where every particle is filed: its region, and its neighbours in the list of its bucket.
+template <int D>
+struct alignas(32) FiledRegion {
+  Region<D> region;
+  int next, previous;  ///< of the bucket's list; −1 at its ends
+};
+
+/// One level's buckets. Particles of regions that are far apart may share one: that costs a look, no more.
+template <int D>
+class RegionGrid {
+ public:
+  /// Puts the particles into buckets, as many as there are particles or fewer, shaped as they lie.
+  void build(const std::vector<int>& members, int shift, std::vector<FiledRegion<D>>& filed) {
+    shift_ = shift;
+    members_ = members.size();
+    Region<D> low{};
+    Region<D> high{};
+    for (std::size_t n = 0; n < members.size(); ++n) {
+      const Region<D>& region = filed[at(members[n])].region;
+      for (std::size_t k = 0; k < region.size(); ++k) {
+        low[k] = n == 0 ? region[k] : std::min(low[k], region[k]);
+        high[k] = n == 0 ? region[k] : std::max(high[k], region[k]);
+      }
+    }
+    std::array<int, kAxes> bits{};
+    int total = 0;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      const std::int64_t width = (std::int64_t{high[k]} >> shift_) - (low[k] >> shift_) + 1;
+      while ((std::int64_t{1} << bits[k]) < width) ++bits[k];
+      total += bits[k];
+    }
+    while (total > 6 && (std::uint64_t{1} << total) > kBucketsPerParticle * members.size()) {
+      --*std::max_element(bits.begin(), bits.end());
+      --total;
+    }
+    int stride = 0;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      mask_[k] = (std::uint32_t{1} << bits[k]) - 1;
+      stride_[k] = stride;
+      stride += bits[k];
+    }
+    first_.assign(std::size_t{1} << total, -1);
+    for (const int i : members) file(i, filed);
+  }
+
+  void file(int i, std::vector<FiledRegion<D>>& filed) {
+    FiledRegion<D>& own = filed[at(i)];
+    int& first = first_[bucket_of(own.region)];
+    own.next = first;
+    own.previous = -1;
+    if (first >= 0) filed[at(first)].previous = i;
+    first = i;
+  }
+
+  void remove(int i, std::vector<FiledRegion<D>>& filed) {
+    const FiledRegion<D>& own = filed[at(i)];
+    if (own.next >= 0) filed[at(own.next)].previous = own.previous;
+    if (own.previous >= 0) filed[at(own.previous)].next = own.next;
+    if (own.previous < 0) first_[bucket_of(own.region)] = own.next;
+  }
+
+  /// Whether a search would look into more buckets than there are particles.
+  bool is_wider_than_its_members(const RegionRange<D>& range) const {
+    std::uint64_t buckets = 1;
+    for (std::size_t k = 0; k < kAxes; ++k) buckets *= width(range, k);
+    return buckets > members_;
+  }
+
+  /// Calls visit(j) for every particle of the level whose region is in the range.
+  template <typename Visit>
+  void search(const RegionRange<D>& range, const std::vector<FiledRegion<D>>& filed, Visit visit) const {
+    std::array<std::uint32_t, kAxes> from{};
+    std::array<std::uint32_t, kAxes> count{};
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      from[k] = static_cast<std::uint32_t>(range.low[k] >> shift_);
+      count[k] = static_cast<std::uint32_t>(width(range, k));
+    }
+    const std::uint32_t layers = D == 3 ? count[kAxes - 1] : 1;
+    for (std::uint32_t z = 0; z < layers; ++z) {
+      const std::size_t layer =
+          D == 3 ? std::size_t{(from[kAxes - 1] + z) & mask_[kAxes - 1]} << stride_[kAxes - 1] : 0;
+      for (std::uint32_t y = 0; y < count[1]; ++y) {
+        const std::size_t row = layer | (std::size_t{(from[1] + y) & mask_[1]} << stride_[1]);
+        for (std::uint32_t x = 0; x < count[0]; ++x) {
+          for (int j = first_[row | ((from[0] + x) & mask_[0])]; j >= 0; j = filed[at(j)].next) {
+            if (range.contains(filed[at(j)].region)) visit(j);
+          }
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kAxes = static_cast<std::size_t>(D);
+  static constexpr std::uint64_t kBucketsPerParticle = 4;
+
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+  /// Buckets of an axis, each once however far the range goes round.
+  std::uint64_t width(const RegionRange<D>& range, std::size_t k) const {
+    const std::int64_t buckets = (std::int64_t{range.high[k]} >> shift_) - (range.low[k] >> shift_) + 1;
+    return std::min<std::uint64_t>(static_cast<std::uint64_t>(buckets), std::uint64_t{mask_[k]} + 1);
+  }
+
+  std::size_t bucket_of(const Region<D>& region) const {
+    std::size_t bucket = 0;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      bucket |= std::size_t{static_cast<std::uint32_t>(region[k] >> shift_) & mask_[k]} << stride_[k];
+    }
+    return bucket;
+  }
+
+  int shift_ = 0;
+  std::size_t members_ = 0;
+  std::array<std::uint32_t, kAxes> mask_{};
+  std::array<int, kAxes> stride_{};
+  std::vector<int> first_;  ///< of each bucket's list; −1: empty
+};
+
+}  // namespace tps

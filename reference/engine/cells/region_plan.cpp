@@ -1,0 +1,131 @@
+#include "reference/engine/cells/region_plan.hpp"
+
+#include <numeric>
+#include <optional>
+
+namespace tps {
+namespace {
+
+/// Species of one level differ in size by no more than this factor.
+constexpr double kSpread = 1.5;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The distances of a scene, species by species; kInfinity where there is no law or nobody to follow it.
+class Distances {
+ public:
+  explicit Distances(const Scene& scene) : species_(scene.species.size()), present_(species_, 0) {
+    for (const Particle& p : scene.particles) ++present_[static_cast<std::size_t>(p.species)];
+    blocking.assign(species_ * species_, kInfinity);
+    tethering.assign(species_ * species_, kInfinity);
+    for (const PairLaw& law : scene.pairs) {
+      const auto a = static_cast<std::size_t>(law.species_a);
+      const auto b = static_cast<std::size_t>(law.species_b);
+      if (present_[a] == 0 || present_[b] == 0 || (a == b && present_[a] == 1)) continue;
+      const bool permanent = law.tethering && law.tethering->form.when == FormRule::When::permanent;
+      for (const std::size_t n : {a * species_ + b, b * species_ + a}) {
+        if (law.blocking) blocking[n] = law.blocking->distance;
+        if (permanent) tethering[n] = law.tethering->distance;
+      }
+    }
+  }
+
+  std::size_t count() const { return species_; }
+  /// Blocking of two species that are not tethered for ever.
+  double free(std::size_t a, std::size_t b) const {
+    return tethering[a * species_ + b] < kInfinity ? kInfinity : blocking[a * species_ + b];
+  }
+  std::vector<double> blocking;   ///< by pair of species
+  std::vector<double> tethering;  ///< of permanent tethers
+
+ private:
+  std::size_t species_;
+  std::vector<std::size_t> present_;
+};
+
+}  // namespace
+
+RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smallest, bool literal)
+    : permanent_(scene.species.size()), largest_(largest), smallest_component_(literal ? smallest : 0) {
+  const Distances d(scene);
+  const std::size_t n = d.count();
+  level_of_.assign(n, kNone);
+
+  // The size of a species: the smallest distance at which it is blocked.
+  std::vector<double> size(n, kInfinity);
+  double shortest = kInfinity;
+  double longest = 0;
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) size[a] = std::min(size[a], d.free(a, b));
+    for (std::size_t b = 0; b < n; ++b) {
+      for (const double L : {d.blocking[a * n + b], d.tethering[a * n + b]}) {
+        if (!(L < kInfinity)) continue;
+        shortest = std::min(shortest, L);
+        longest = std::max(longest, L);
+      }
+    }
+  }
+  if (!(shortest < kInfinity)) return;
+  margin_ = shortest / 64;
+  const double most_units = margin_ * shortest / (512 * u);
+  if (shortest > smallest && longest < largest && longest < margin_ / (512 * u)) {
+    longest_coordinate_ = std::min({margin_ / (84 * u), 0x1p29 * margin_, largest});
+    longest_flight_ = std::sqrt(most_units) - shortest;
+    longest_path_ = margin_ / (32 * u * u);
+  }
+
+  std::vector<std::size_t> by_size(n);
+  std::iota(by_size.begin(), by_size.end(), std::size_t{0});
+  std::sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) { return size[a] < size[b]; });
+  double level_size = 0;
+  for (const std::size_t a : by_size) {
+    if (!(size[a] < kInfinity)) break;
+    if (levels_.empty() || size[a] > kSpread * level_size) {
+      level_size = size[a];
+      // Regions bound a flight, buckets hold what is found together: a large one among small ones moves
+      // little.
+      double partner = level_size;
+      for (std::size_t b = 0; b < n; ++b) {
+        if (d.free(a, b) < kInfinity) partner = std::min(partner, size[b]);
+      }
+      const double side = (std::max(partner, level_size / 16) + 3 * margin_) / kRegionsPerReach;
+      const double bucket = level_size + 3 * margin_;
+      const int shift = static_cast<int>(std::floor(std::log2(bucket / side) + 0.5));
+      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift)});
+    }
+    level_of_[a] = static_cast<int>(levels_.size()) - 1;
+  }
+
+  // Who is nobody's neighbour but somebody's container.
+  for (std::size_t a = 0; a < n; ++a) {
+    double radius = kInfinity;
+    for (std::size_t b = 0; b < n; ++b) radius = std::min(radius, d.tethering[a * n + b]);
+    if (level_of_[a] != kNone || !(radius < kInfinity)) continue;
+    level_of_[a] = static_cast<int>(levels_.size());
+    levels_.push_back({radius / 16, 0});
+  }
+
+  reach_.assign(n * levels_.size(), -1);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      if (d.tethering[a * n + b] < kInfinity) {
+        const double block = d.blocking[a * n + b];
+        permanent_[a].push_back({static_cast<int>(b), block < kInfinity ? block + margin_ : -1,
+                                 d.tethering[a * n + b] - margin_});
+      }
+      if (!(d.free(a, b) < kInfinity)) continue;
+      double& reach = reach_[a * levels_.size() + static_cast<std::size_t>(level_of_[b])];
+      reach = std::max(reach, d.free(a, b) + 3 * margin_);
+    }
+  }
+  known_ = reach_;
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      if (!(d.free(a, b) < kInfinity)) continue;
+      double& known = known_[a * levels_.size() + static_cast<std::size_t>(level_of_[b])];
+      const double other = reach_[b * levels_.size() + static_cast<std::size_t>(level_of_[a])];
+      known = std::min(known, other - margin_ / 2);
+    }
+  }
+}
+
+}  // namespace tps

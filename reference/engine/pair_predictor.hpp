@@ -1,0 +1,71 @@
+// The next event of one pair. Every detector asks it, so that they differ in whom they ask and in nothing
+// else.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "reference/engine/effect.hpp"
+#include "reference/engine/world.hpp"
+
+namespace tps {
+
+template <typename Scalar, int D>
+class PairPredictor {
+ public:
+  using Effects = std::vector<std::unique_ptr<Effect<Scalar, D>>>;
+
+  /// The effects must outlive it.
+  explicit PairPredictor(const Effects& effects) {
+    for (std::size_t n = 0; n < effects.size(); ++n) {
+      if (effects[n]->predicts_pairs()) predictors_.push_back({effects[n].get(), static_cast<int>(n)});
+    }
+  }
+
+  /// The earliest event of a pair, i < j. Its time is a function of the two stored states alone: the later of
+  /// the two clocks, to which the other particle is advanced, plus the answer of eq. (2). A time beyond the
+  /// range of the scalar is never(): there is an event, which no clock reaches. Throws OutOfRange.
+  std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, int i, int j) const {
+    const Law<Scalar>& law = world.law(i, j);
+    if (!law.blocking && !law.tethering) return std::nullopt;
+    if (world.coupling->together(i, j)) return std::nullopt;
+    const PairView<Scalar, D> pair = world.view(i, j);
+    require_range(world, pair);
+    std::optional<Scalar> earliest;
+    int effect = 0;
+    for (const Predictor& predictor : predictors_) {
+      const std::optional<LimitQuestion<Scalar>> question = predictor.effect->asks(world, i, j);
+      if (!question) continue;
+      const std::optional<Scalar> dt = world.timing.next(pair, *question);
+      if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
+      if (!dt || (earliest && !(*dt < *earliest))) continue;
+      earliest = dt;
+      effect = predictor.index;
+    }
+    if (!earliest) return std::nullopt;
+    return world.pending(after(pair.start, *earliest), Rank::collision, i, j, 0, effect);
+  }
+
+ private:
+  static void require_range(const World<Scalar, D>& world, const PairView<Scalar, D>& pair) {
+    const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
+    if (finite(pair.u_j - pair.u_i) && finite(pair.v_j - pair.v_i)) return;
+    for (const int i : {pair.i, pair.j}) {
+      if (!finite(world.position(i, pair.start))) {
+        throw OutOfRange("the position of " + particle_name(world.scene, i));
+      }
+    }
+    const char* what = finite(pair.u_j - pair.u_i) ? "the relative velocity of " : "the distance of ";
+    throw OutOfRange(what + pair_name(world.scene, pair.i, pair.j));
+  }
+
+  struct Predictor {
+    const Effect<Scalar, D>* effect;
+    int index;
+  };
+  std::vector<Predictor> predictors_;
+};
+
+}  // namespace tps

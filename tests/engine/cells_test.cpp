@@ -1,0 +1,171 @@
+// The parts of the cells detector, each against a search through everything.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <set>
+
+#include "reference/engine/cells/outlook.hpp"
+#include "reference/engine/cells/particle_queue.hpp"
+#include "reference/engine/cells/region_grid.hpp"
+#include "reference/engine/cells/region_plan.hpp"
+#include "reference/scene/read_scene.hpp"
+
+namespace tps {
+namespace {
+
+class Choices {
+ public:
+  explicit Choices(std::uint64_t seed) : bits_(seed) {}
+  int whole(int low, int high) {
+    return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+Region<3> region_in(Choices& choices, int extent) {
+  Region<3> region{};
+  for (std::int32_t& x : region) x = choices.whole(-extent, extent);
+  return region;
+}
+
+/// Buckets of every width, ranges that are wider than the whole grid, particles that come and go.
+TEST(RegionGrid, ASearchFindsWhoIsInTheRangeAndNobodyElseEachOnce) {
+  Choices choices(1);
+  for (int round = 0; round < 60; ++round) {
+    const int extent = choices.whole(0, 40);
+    std::vector<FiledRegion<3>> filed(static_cast<std::size_t>(choices.whole(1, 60)));
+    std::vector<int> members;
+    for (std::size_t i = 0; i < filed.size(); ++i) {
+      filed[i].region = region_in(choices, extent);
+      members.push_back(static_cast<int>(i));
+    }
+    RegionGrid<3> grid;
+    grid.build(members, choices.whole(0, 3), filed);
+    for (int step = 0; step < 20; ++step) {
+      const int moved = choices.whole(0, static_cast<int>(filed.size()) - 1);
+      grid.remove(moved, filed);
+      filed[static_cast<std::size_t>(moved)].region = region_in(choices, 2 * extent);
+      grid.file(moved, filed);
+      RegionRange<3> range{region_in(choices, extent), {}};
+      for (std::size_t k = 0; k < 3; ++k) range.high[k] = range.low[k] + choices.whole(0, extent);
+      std::vector<int> found, expected;
+      grid.search(range, filed, [&](int j) { found.push_back(j); });
+      for (const int j : members) {
+        if (range.contains(filed[static_cast<std::size_t>(j)].region)) expected.push_back(j);
+      }
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, expected);
+    }
+  }
+}
+
+TEST(ParticleQueue, TheEarliestAndAllUpToATimeAreThoseOfASortedList) {
+  Choices choices(2);
+  constexpr int kParticles = 40;
+  ParticleQueue<double> queue;
+  queue.reset(kParticles);
+  std::vector<Time<double>> due(kParticles, Time<double>::never());
+  for (int step = 0; step < 3000; ++step) {
+    const int i = choices.whole(0, kParticles - 1);
+    const Time<double> time =
+        choices.whole(0, 9) == 0 ? Time<double>::never()
+                                 : Time<double>{double(choices.whole(0, 30)), choices.whole(-1, 1) * 0x1p-60};
+    due[static_cast<std::size_t>(i)] = time;
+    queue.schedule(i, time);
+    EXPECT_EQ(queue.earliest().time, *std::min_element(due.begin(), due.end()));
+    EXPECT_EQ(due[static_cast<std::size_t>(queue.earliest().particle)], queue.earliest().time);
+    const Time<double> latest{double(choices.whole(0, 30)), 0};
+    std::vector<int> found, expected;
+    queue.due_until(latest, found);
+    for (int j = 0; j < kParticles; ++j) {
+      if (due[static_cast<std::size_t>(j)] <= latest) expected.push_back(j);
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
+}
+
+/// The law of an outlook: what was added is in it, or at or after complete_until().
+TEST(Outlook, NothingThatWasAddedIsBeforeTheEndOfWhatItKnowsAndNotInIt) {
+  Choices choices(3);
+  for (int round = 0; round < 300; ++round) {
+    Outlook<double> outlook;
+    std::vector<std::pair<Time<double>, int>> added;
+    for (int partner = 0; partner < choices.whole(1, 8); ++partner) {
+      const Time<double> time{double(choices.whole(0, 6)), 0};
+      outlook.add(time, {partner, 0, 0});
+      added.emplace_back(time, partner);
+    }
+    std::set<int> held;
+    for (int n = 0; n < outlook.count(); ++n) {
+      held.insert(outlook.partner(n).particle);
+      EXPECT_LE(outlook.time(std::max(n - 1, 0)), outlook.time(n));
+    }
+    for (const auto& [time, partner] : added) {
+      EXPECT_TRUE(held.contains(partner) || outlook.complete_until() <= time) << partner;
+    }
+    EXPECT_EQ(outlook.due(), std::min_element(added.begin(), added.end())->first);
+  }
+}
+
+TEST(Outlook, ASecondMeetingWithAPartnerReplacesTheFirst) {
+  Outlook<double> outlook;
+  outlook.add({1, 0}, {7, 0, 0});
+  outlook.add({2, 0}, {7, 1, 0});
+  ASSERT_EQ(outlook.count(), 1);
+  EXPECT_EQ(outlook.time(0).hi, 2);
+  EXPECT_EQ(outlook.partner(0).revision, 1U);
+}
+
+TEST(RegionPlan, LargeAndSmallSpeciesHaveLevelsOfTheirOwnAndContainersNoNeighbours) {
+  const Scene scene = read_scene_text(
+      R"({"tps":1,"dimension":3,"duration":1,
+          "species":{"wall":{"mass":"inf","radius":5000},"large":{"mass":9,"radius":500},"small":{"mass":1,"radius":0.5}},
+          "pairs":[{"between":["wall","small"],"tethering":{"distance":4999,"c_retract":1,"c_revolve":1,
+                    "theta_revolve_deg":45,"form":"permanent","break":"never"}},
+                   {"between":["large","small"],"blocking":{"c_rebound":1}},
+                   {"between":["small","small"],"blocking":{"c_rebound":1}}],
+          "particles":[{"id":0,"species":"wall","position":[0,0,0],"velocity":[0,0,0]},
+                       {"id":1,"species":"large","position":[0,0,0],"velocity":[0,0,0]},
+                       {"id":2,"species":"small","position":[600,0,0],"velocity":[1,0,0]},
+                       {"id":3,"species":"small","position":[700,0,0],"velocity":[1,0,0]}]})",
+      "test");
+  const RegionPlan plan = RegionPlan::of<double>(scene, {});
+  const auto species = [&](const char* name) {
+    const auto at = std::find_if(scene.species.begin(), scene.species.end(),
+                                 [&](const Species& s) { return s.name == name; });
+    return static_cast<int>(at - scene.species.begin());
+  };
+  const int wall = plan.level(species("wall"));
+  const int large = plan.level(species("large"));
+  const int small = plan.level(species("small"));
+  EXPECT_EQ((std::set<int>{wall, large, small}.size()), 3U);
+  EXPECT_LT(plan.reach(species("small"), small), 1.1);
+  EXPECT_NEAR(plan.reach(species("small"), large), 500.5, 0.1);
+  EXPECT_LT(plan.reach(species("small"), wall), 0);
+  EXPECT_LT(plan.reach(species("large"), large), 0);
+  ASSERT_EQ(plan.permanent(species("small")).size(), 1U);
+  EXPECT_LT(plan.permanent(species("small"))[0].far, 4999);
+}
+
+/// A float has 24 bits: at 10⁶ a margin of 1/64 is less than its last one.
+TEST(RegionPlan, WhatRoundingMovesByMoreThanTheMarginIsNotKept) {
+  const Scene scene = read_scene_text(
+      R"({"tps":1,"dimension":2,"duration":1,"species":{"p":{"mass":1,"radius":0.5}},
+          "pairs":[{"between":["p","p"],"blocking":{"c_rebound":1}}],
+          "particles":[{"id":0,"species":"p","position":[0,0],"velocity":[0,0]},
+                       {"id":1,"species":"p","position":[2,0],"velocity":[0,0]}]})",
+      "test");
+  EXPECT_TRUE(RegionPlan::of<double>(scene, {}).keeps(1e6, 1, 1, 1));
+  EXPECT_FALSE(RegionPlan::of<float>(scene, {}).keeps(1e6, 1, 1, 1));
+  EXPECT_TRUE(RegionPlan::of<float>(scene, {}).keeps(100, 1, 1, 1));
+  EXPECT_FALSE(RegionPlan::of<float>(scene, {}).keeps(100, 1, 100, 1));
+  EXPECT_FALSE(RegionPlan::of<double>(scene, {}).keeps(1, 1, 1, 1e40));
+}
+
+}  // namespace
+}  // namespace tps

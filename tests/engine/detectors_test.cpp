@@ -1,0 +1,138 @@
+// Cells against all pairs, event by event, in scenes that are hard for cells: sizes 1:100, moving containers,
+// particles that fly off, runs that never end.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "reference/engine/simulation.hpp"
+#include "reference/scene/read_scene.hpp"
+
+namespace tps {
+namespace {
+
+struct Step {
+  Time<double> time;
+  std::string kind;
+  int i, j;
+  std::vector<double> numbers;
+  bool operator==(const Step&) const = default;
+};
+
+template <int D>
+std::vector<Step> course(const Scene& scene, DetectorKind detector, std::size_t most) {
+  Simulation<double, D> simulation(scene, {}, detector);
+  const Time<double> end{scene.duration, 0};
+  simulation.set_horizon(end);
+  std::vector<Step> steps;
+  simulation.world().sink = [&](const Record<double, D>& record) {
+    Step step{record.t, std::string(record.kind), record.i, record.j, {}};
+    for (const ParticleChange<double, D>& change : record.involved) {
+      step.numbers.insert(step.numbers.end(), change.position.begin(), change.position.end());
+      step.numbers.insert(step.numbers.end(), change.velocity_after.begin(), change.velocity_after.end());
+    }
+    steps.push_back(step);
+  };
+  for (;;) {
+    const Time<double> next = simulation.next_time();
+    if (steps.size() >= most || end < next || next == Time<double>::never()) return steps;
+    simulation.step();
+  }
+}
+
+/// Both courses, and that something happened.
+template <int D>
+void expect_one_course(const Scene& scene, std::size_t least, std::size_t most = 400) {
+  const std::vector<Step> expected = course<D>(scene, DetectorKind::all_pairs, most);
+  EXPECT_GE(expected.size(), least);
+  EXPECT_EQ(course<D>(scene, DetectorKind::cells, most), expected);
+}
+
+class SceneText {
+ public:
+  explicit SceneText(std::uint64_t seed) : bits_(seed) {}
+
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+  }
+  void particle(const std::string& species, std::initializer_list<double> position,
+                std::initializer_list<double> velocity) {
+    particles_ << (next_ == 0 ? "" : ",") << R"({"id":)" << next_ << R"(,"species":")" << species
+               << R"(","position":)" << list(position) << R"(,"velocity":)" << list(velocity) << "}";
+    ++next_;
+  }
+  Scene scene(const std::string& start) const {
+    return read_scene_text("{\"tps\":1," + start + ",\"particles\":[" + particles_.str() + "]}", "test");
+  }
+
+ private:
+  static std::string list(std::initializer_list<double> numbers) {
+    std::ostringstream text;
+    text.precision(17);
+    for (const double x : numbers) text << (text.tellp() == 0 ? "[" : ",") << x;
+    return text.str() + "]";
+  }
+  std::mt19937_64 bits_;
+  std::ostringstream particles_;
+  int next_ = 0;
+};
+
+/// Small ones on a lattice around large ones of a hundred times their radius, in a moving container.
+TEST(Detectors, LargeAmongSmallInAMovingContainer) {
+  SceneText text(1);
+  text.particle("wall", {0, 0}, {0.25, 0.125});
+  text.particle("large", {-60, 0}, {1, 0.5});
+  text.particle("large", {60, 10}, {-1, 0});
+  for (int x = -70; x <= 70; x += 20) {
+    for (const double y : {-90.0, -84.0, 84.0, 90.0})
+      text.particle("small", {x + text.between(-1, 1), y}, {text.between(-3, 3), text.between(-3, 3)});
+  }
+  const Scene scene = text.scene(
+      R"("dimension":2,"duration":1e6,
+         "species":{"wall":{"mass":"inf","radius":150},"large":{"mass":50,"radius":50},"small":{"mass":1,"radius":0.5}},
+         "pairs":[{"between":["wall","large"],"tethering":{"distance":100,"c_retract":1,"c_revolve":1,
+                   "theta_revolve_deg":10,"form":"permanent","break":"never"}},
+                  {"between":["wall","small"],"tethering":{"distance":149.5,"c_retract":1,"c_revolve":1,
+                   "theta_revolve_deg":10,"form":"permanent","break":"never"}},
+                  {"between":["large","large"],"blocking":{"c_rebound":1}},
+                  {"between":["large","small"],"blocking":{"c_rebound":0.9}},
+                  {"between":["small","small"],"blocking":{"c_rebound":0.9}}])");
+  expect_one_course<2>(scene, 400);
+}
+
+SceneText cloud(std::uint64_t seed, double speed) {
+  SceneText text(seed);
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      for (int z = 0; z < 4; ++z) {
+        const auto random = [&] { return text.between(-speed, speed); };
+        text.particle("ball", {1.25 * x, 1.25 * y, 1.25 * z}, {random(), random(), random()});
+      }
+    }
+  }
+  return text;
+}
+constexpr const char* kBalls =
+    R"(,"species":{"ball":{"mass":1,"radius":0.5}},"pairs":[{"between":["ball","ball"],"blocking":{"c_rebound":1}}])";
+
+/// The last events of a gas in free space are far apart in time and space, and then there are none: a run
+/// without an end comes to know that.
+TEST(Detectors, AGasThatExpandsForEver) {
+  expect_one_course<3>(cloud(2, 1).scene(R"("dimension":3,"duration":"inf")" + std::string(kBalls)), 60,
+                       100000);
+  expect_one_course<3>(cloud(3, 1).scene(R"("dimension":3,"duration":1e9)" + std::string(kBalls)), 60,
+                       100000);
+}
+
+/// Regions would be crossed faster than a time can be told from the next.
+TEST(Detectors, SpeedsThatNoRegionHolds) {
+  SceneText text = cloud(4, 1);
+  text.particle("ball", {-1e9, 0, 0.3}, {1e9, 0, 0});
+  text.particle("ball", {1e15, 0.2, 0}, {-1e15, 0, 0});
+  text.particle("ball", {0, 1e60, 0.2}, {0, -1e60, 0});
+  expect_one_course<3>(text.scene(R"("dimension":3,"duration":1e3)" + std::string(kBalls)), 60);
+}
+
+}  // namespace
+}  // namespace tps
