@@ -74,6 +74,7 @@ class Responded {
     entries_[static_cast<std::size_t>(i)].clear();
     glances_[static_cast<std::size_t>(i)] = {kNobody, Limit::inner};
   }
+  void prefetch(int i) const { __builtin_prefetch(&glances_[static_cast<std::size_t>(i)]); }
   /// Ascending, so that a full state does not depend on entries that a partner has since made void.
   const Entries& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
 

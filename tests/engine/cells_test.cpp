@@ -53,7 +53,7 @@ TEST(RegionGrid, ASearchFindsWhoIsInTheRangeAndNobodyElseEachOnce) {
       RegionRange<3> range{region_in(choices, extent), {}};
       for (std::size_t k = 0; k < 3; ++k) range.high[k] = range.low[k] + choices.whole(0, extent);
       std::vector<int> found, expected;
-      grid.search(range, filed, [&](int j) { found.push_back(j); });
+      grid.search(range, filed, found);
       for (const int j : members) {
         if (range.contains(filed[static_cast<std::size_t>(j)].region)) expected.push_back(j);
       }

@@ -35,10 +35,20 @@ class Cells final : public Detector<Scalar, D> {
       outlooks_[at(i)].clear();
       if (neighbourhood_.has_level(world, i)) stay_or_move(world, i);
     }
+    // All are found before anyone is asked: by then their states are on their way from memory.
+    neighbours_.clear();
+    ends_.clear();
     for (const int i : touched) {
-      neighbourhood_.around(world, i, {}, [&](int j) {
+      neighbourhood_.around(world, i, {}, neighbours_);
+      ends_.push_back(neighbours_.size());
+    }
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < touched.size(); ++k) {
+      for (; n < ends_[k]; ++n) {
+        const int i = touched[k];
+        const int j = neighbours_[n];
         if (j > i || !std::binary_search(touched.begin(), touched.end(), j)) ask(world, i, j);
-      });
+      }
     }
     for (const int i : touched) queue_.schedule(i, outlooks_[at(i)].due());
   }
@@ -57,6 +67,7 @@ class Cells final : public Detector<Scalar, D> {
       due_.clear();
       queue_.due_until(latest, due_);
     } while (!are_ready(world, latest));
+    fetch_what_comes_next(world);
     const std::size_t first = events.size();
     for (const int i : due_) append_events(world, i, latest, events);
     if (events.size() - first <= 1) return;
@@ -82,11 +93,28 @@ class Cells final : public Detector<Scalar, D> {
       if (!everywhere && neighbourhood_.has_level(world, i)) set_look(world, i, world.now);
     }
     for (int i = 0; i < world.size(); ++i) {
-      neighbourhood_.around(world, i, {}, [&](int j) {
+      for (const int j : around(world, i, {})) {
         if (j > i) ask(world, i, j);
-      });
+      }
       queue_.schedule(i, outlooks_[at(i)].due());
     }
+  }
+
+  /// Valid until the next call.
+  const std::vector<int>& around(const World<Scalar, D>& world, int i, const std::optional<Region<D>>& left) {
+    neighbours_.clear();
+    neighbourhood_.around(world, i, left, neighbours_);
+    return neighbours_;
+  }
+
+  /// While this event is answered, the particles of the following ones are on their way from memory.
+  void fetch_what_comes_next(const World<Scalar, D>& world) const {
+    queue_.for_next([&](int i) {
+      __builtin_prefetch(&outlooks_[at(i)]);
+      __builtin_prefetch(&outlooks_[at(i)].partner(0));
+      __builtin_prefetch(&world.particles[at(i)]);
+      neighbourhood_.prefetch(i);
+    });
   }
 
   /// After everyone was asked about everyone: regions again, and nothing to ask.
@@ -135,7 +163,7 @@ class Cells final : public Detector<Scalar, D> {
     const Time<Scalar> t = outlooks_[at(i)].look;
     const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
     set_look(world, i, t);
-    neighbourhood_.around(world, i, left, [&](int j) { ask(world, i, j); });
+    for (const int j : around(world, i, left)) ask(world, i, j);
     queue_.schedule(i, outlooks_[at(i)].due());
   }
 
@@ -187,10 +215,10 @@ class Cells final : public Detector<Scalar, D> {
     }
     if (outlook.knows_first() || outlook.due() == Time<Scalar>::never()) return true;
     outlook.clear();
-    neighbourhood_.around(world, i, {}, [&](int j) {
+    for (const int j : around(world, i, {})) {
       const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
       if (event) add(world, i, j, *event);
-    });
+    }
     queue_.schedule(i, outlook.due());
     return false;
   }
@@ -209,13 +237,13 @@ class Cells final : public Detector<Scalar, D> {
 
   /// The live events of a particle up to `latest`; where its outlook ends before that, all are asked again.
   void append_events(const World<Scalar, D>& world, int i, const Time<Scalar>& latest,
-                     std::vector<Event>& events) const {
+                     std::vector<Event>& events) {
     const Outlook<Scalar>& outlook = outlooks_[at(i)];
     if (outlook.complete_until() <= latest) {
-      neighbourhood_.around(world, i, {}, [&](int j) {
+      for (const int j : around(world, i, {})) {
         const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
         if (event && event->time <= latest) events.push_back(*event);
-      });
+      }
       return;
     }
     for (int n = 0; n < outlook.count() && outlook.time(n) <= latest; ++n) {
@@ -230,7 +258,8 @@ class Cells final : public Detector<Scalar, D> {
   Neighbourhood<Scalar, D> neighbourhood_;
   ParticleQueue<Scalar> queue_;
   std::vector<Outlook<Scalar>> outlooks_;
-  std::vector<int> due_;
+  std::vector<int> due_, neighbours_;
+  std::vector<std::size_t> ends_;
   std::uint64_t looks_since_event_ = 0;
   bool everyone_knows_all_ = false;
 };

@@ -52,6 +52,8 @@ class Neighbourhood {
     }
   }
 
+  void prefetch(int i) const { __builtin_prefetch(&filed_[at(i)]); }
+
   bool roams(int i) const { return roams_[at(i)]; }
 
   /// A particle with a level is where its region no longer bounds it, or roams: files it anew.
@@ -110,40 +112,40 @@ class Neighbourhood {
     return after(p.clock, Scalar(dt));
   }
 
-  /// Calls visit(j) for everyone whom a particle can meet, some more than once. Those whom it could meet from
-  /// the region that it has `left`, too, are not called, except partners for ever.
-  template <typename Visit>
-  void around(const World<Scalar, D>& world, int i, const std::optional<Region<D>>& left, Visit visit) const {
+  /// Appends everyone whom a particle can meet, some more than once. Those whom it could meet from the region
+  /// that it has `left`, too, are not appended, except partners for ever.
+  void around(const World<Scalar, D>& world, int i, const std::optional<Region<D>>& left,
+              std::vector<int>& found) const {
     if (roams(i)) {
       for (int j = 0; j < world.size(); ++j) {
-        if (j != i) visit(j);
+        if (j != i) found.push_back(j);
       }
       return;
     }
     const int species = world.species(i);
     if (!left) {
-      for (const int j : world.tethers.of(i)) visit(j);
-      for (const int j : roaming_) visit(j);
+      const std::vector<int>& tethered = world.tethers.of(i);
+      found.insert(found.end(), tethered.begin(), tethered.end());
+      found.insert(found.end(), roaming_.begin(), roaming_.end());
     }
     if (!has_level(world, i)) return;
-    visit_partners_for_ever(world, i, visit);
+    find_partners_for_ever(world, i, found);
     for (std::size_t level = 0; level < grids_.size(); ++level) {
       const double reach = plan_.reach(species, static_cast<int>(level));
       if (reach < 0) continue;
-      const RegionRange<D> range = range_around(world, i, filed_[at(i)].region, level, reach);
-      const auto candidate = [&](int j) {
-        if (j == i || world.tethered(i, j)) return;
-        visit(j);
-      };
-      if (!left) {
-        search(level, range, candidate);
-        continue;
+      const std::size_t begin = found.size();
+      search(level, range_around(world, i, filed_[at(i)].region, level, reach), found);
+      RegionRange<D> known{};
+      if (left) known = range_around(world, i, *left, level, plan_.known(species, static_cast<int>(level)));
+      std::size_t kept = begin;
+      for (std::size_t n = begin; n < found.size(); ++n) {
+        const int j = found[n];
+        if (j == i || (left && known.contains(filed_[at(j)].region)) || world.tethered(i, j)) continue;
+        __builtin_prefetch(&world.particles[at(j)]);
+        world.responded.prefetch(j);
+        found[kept++] = j;
       }
-      const RegionRange<D> known =
-          range_around(world, i, *left, level, plan_.known(species, static_cast<int>(level)));
-      search(level, range, [&](int j) {
-        if (!known.contains(filed_[at(j)].region)) candidate(j);
-      });
+      found.resize(kept);
     }
   }
 
@@ -192,24 +194,22 @@ class Neighbourhood {
     return range;
   }
 
-  template <typename Visit>
-  void search(std::size_t level, const RegionRange<D>& range, Visit visit) const {
+  void search(std::size_t level, const RegionRange<D>& range, std::vector<int>& found) const {
     if (!grids_[level].is_wider_than_its_members(range)) {
-      grids_[level].search(range, filed_, visit);
+      grids_[level].search(range, filed_, found);
       return;
     }
     for (const int j : members_[level]) {
-      if (!roams(j) && range.contains(filed_[at(j)].region)) visit(j);
+      if (!roams(j) && range.contains(filed_[at(j)].region)) found.push_back(j);
     }
   }
 
   /// Those of the partners for ever whose limits are within reach: a ball far from its container's wall is
   /// not asked.
-  template <typename Visit>
-  void visit_partners_for_ever(const World<Scalar, D>& world, int i, Visit visit) const {
+  void find_partners_for_ever(const World<Scalar, D>& world, int i, std::vector<int>& found) const {
     for (const RegionPlan::Permanent& partner : plan_.permanent(world.species(i))) {
       for (const int j : of_species_[at(partner.species)]) {
-        if (j != i && (roams(j) || is_within_reach(world, i, j, partner))) visit(j);
+        if (j != i && (roams(j) || is_within_reach(world, i, j, partner))) found.push_back(j);
       }
     }
   }

@@ -49,6 +49,12 @@ class ParticleQueue {
     append_due(0, latest, particles);
   }
 
+  /// Calls use(i) for some of the particles that are due soon.
+  template <typename Use>
+  void for_next(Use use) const {
+    for (std::size_t n = 1; n <= kBranches && n < heap_.size(); ++n) use(heap_[n].particle);
+  }
+
  private:
   static constexpr std::size_t kBranches = 4;
 

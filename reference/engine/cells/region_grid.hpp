@@ -95,15 +95,17 @@ class RegionGrid {
     return buckets > members_;
   }
 
-  /// Calls visit(j) for every particle of the level whose region is in the range.
-  template <typename Visit>
-  void search(const RegionRange<D>& range, const std::vector<FiledRegion<D>>& filed, Visit visit) const {
+  /// Appends every particle of the level whose region is in the range. What a bucket's list starts with is
+  /// fetched while the other buckets are still being looked up.
+  void search(const RegionRange<D>& range, const std::vector<FiledRegion<D>>& filed,
+              std::vector<int>& found) const {
     std::array<std::uint32_t, kAxes> from{};
     std::array<std::uint32_t, kAxes> count{};
     for (std::size_t k = 0; k < kAxes; ++k) {
       from[k] = static_cast<std::uint32_t>(range.low[k] >> shift_);
       count[k] = static_cast<std::uint32_t>(width(range, k));
     }
+    const std::size_t begin = found.size();
     const std::uint32_t layers = D == 3 ? count[kAxes - 1] : 1;
     for (std::uint32_t z = 0; z < layers; ++z) {
       const std::size_t layer =
@@ -111,12 +113,22 @@ class RegionGrid {
       for (std::uint32_t y = 0; y < count[1]; ++y) {
         const std::size_t row = layer | (std::size_t{(from[1] + y) & mask_[1]} << stride_[1]);
         for (std::uint32_t x = 0; x < count[0]; ++x) {
-          for (int j = first_[row | ((from[0] + x) & mask_[0])]; j >= 0; j = filed[at(j)].next) {
-            if (range.contains(filed[at(j)].region)) visit(j);
-          }
+          const int first = first_[row | ((from[0] + x) & mask_[0])];
+          if (first < 0) continue;
+          __builtin_prefetch(&filed[at(first)]);
+          found.push_back(first);
         }
       }
     }
+    // The firsts are replaced by those of their lists that are in the range.
+    const std::size_t firsts = found.size();
+    for (std::size_t n = begin; n < firsts; ++n) {
+      for (int j = found[n]; j >= 0; j = filed[at(j)].next) {
+        if (range.contains(filed[at(j)].region)) found.push_back(j);
+      }
+    }
+    found.erase(found.begin() + static_cast<std::ptrdiff_t>(begin),
+                found.begin() + static_cast<std::ptrdiff_t>(firsts));
   }
 
  private:

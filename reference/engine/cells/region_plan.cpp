@@ -42,6 +42,25 @@ class Distances {
   std::vector<std::size_t> present_;
 };
 
+/// Fewer particles than this in a cube as wide as their size, on average over the box that holds the species:
+/// then flights are long, and leaving a region costs more than asking a few neighbours more.
+constexpr double kDilute = 0.2;
+
+bool is_dilute(const Scene& scene, std::size_t species, double size) {
+  Coordinates low{}, high{};
+  double filled = 0;
+  for (const Particle& p : scene.particles) {
+    if (static_cast<std::size_t>(p.species) != species) continue;
+    for (std::size_t k = 0; k < p.position.size(); ++k) {
+      low[k] = filled == 0 ? p.position[k] : std::min(low[k], p.position[k]);
+      high[k] = filled == 0 ? p.position[k] : std::max(high[k], p.position[k]);
+    }
+    ++filled;
+  }
+  for (std::size_t k = 0; k < low.size(); ++k) filled *= size / std::max(size, high[k] - low[k]);
+  return filled < kDilute;
+}
+
 }  // namespace
 
 RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smallest, bool literal)
@@ -87,7 +106,8 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       for (std::size_t b = 0; b < n; ++b) {
         if (d.free(a, b) < kInfinity) partner = std::min(partner, size[b]);
       }
-      const double side = (std::max(partner, level_size / 16) + 3 * margin_) / kRegionsPerReach;
+      const double regions = is_dilute(scene, a, level_size) ? 1 : kRegionsPerReach;
+      const double side = (std::max(partner, level_size / 16) + 3 * margin_) / regions;
       const double bucket = level_size + 3 * margin_;
       const int shift = static_cast<int>(std::floor(std::log2(bucket / side) + 0.5));
       levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift)});
