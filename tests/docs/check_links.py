@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+from conclude import conclude
+
 FOLDERS = ("reference", "verify", "properties", "tests", "docs", "data")
 PAGES = ("*.md", "docs/*.md", "data/*.md")
 SOURCES = (".hpp", ".cpp", ".h", ".c", ".in", ".py", ".txt", ".json", ".md")
@@ -78,11 +80,5 @@ def broken(root):
                 yield from broken_citations(root, source, sections)
 
 
-def main():
-    found = list(broken(pathlib.Path(sys.argv[1])))
-    print("\n".join(found) or "links, paths and citations lead to what they name")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(conclude(broken(pathlib.Path(sys.argv[1])), "links, paths and citations lead to what they name"))

@@ -10,6 +10,8 @@ import pathlib
 import re
 import sys
 
+from conclude import conclude
+
 FOLDERS = {"header": ("reference/equations/",), "laws": ("properties/laws/",), "oracle": ("verify/", "tests/equations/"),
            "tests": ("tests/",)}
 LINK = re.compile(r"\]\(([^)#]+)[^)]*\)")
@@ -105,11 +107,5 @@ def missing_partners(root):
         yield f"{root}/docs has no page eqN.md"
 
 
-def main():
-    missing = list(missing_partners(pathlib.Path(sys.argv[1])))
-    print("\n".join(missing) or "every equation has its header, laws, oracle, tests and page, and one finds the other")
-    return 1 if missing else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(conclude(missing_partners(pathlib.Path(sys.argv[1])), "every equation has its header, laws, oracle, tests and page, and one finds the other"))

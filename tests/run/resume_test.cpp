@@ -8,6 +8,7 @@
 #include "reference/run/trace_file.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
+#include "tests/run/busy_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/scenes/terminal.hpp"
@@ -21,36 +22,6 @@ using testing::options_for;
 using testing::read_bytes;
 using testing::scratch;
 using testing::write_bytes;
-
-/// The terminal in small: groups, tethers by draw that also break, phases, impulses, observed clusters.
-Scene busy_scene() {
-  TerminalParams params;
-  params.vesicles = 8;
-  params.pairs = 16;
-  params.membrane_radius = 12;
-  params.form_probability = .6;
-  params.break_probability = .3;
-  params.grouped = .01;
-  params.impact_at = .5;
-  params.duration = 3;
-  Scene scene = build_terminal(params);
-  const auto rules = std::find_if(scene.pairs.begin(), scene.pairs.end(), [](const PairLaw& law) {
-    return law.tethering && law.tethering->form.when == FormRule::When::probability;
-  });
-  scene.phases = {{.from = .25,
-                   .until = .75,
-                   .species_a = rules->species_a,
-                   .species_b = rules->species_b,
-                   .form = FormRule{.when = FormRule::When::never},
-                   .breaks = {}},
-                  {.from = .5,
-                   .until = 2,
-                   .species_a = rules->species_a,
-                   .species_b = rules->species_b,
-                   .form = {},
-                   .breaks = BreakRule{.when = BreakRule::When::always}}};
-  return scene;
-}
 
 /// A ball too heavy to notice the light ones that bounce between it and the walls: its velocity never
 /// changes, so that what it has responded to is kept from event to event.
@@ -100,12 +71,12 @@ std::string whole_trace(const Whole& w) {
 }
 
 std::vector<Whole> cases() {
-  return {{busy_scene(), "double", 400},
-          {busy_scene(), "float", 200},
-          {busy_scene(), "mp50", 60},
+  return {{busy_scene(.01), "double", 400},
+          {busy_scene(.01), "float", 200},
+          {busy_scene(.01), "mp50", 60},
           {heavy_scene(), "double", 200},
-          {busy_scene(), "double", 400, Timing::certified},
-          {busy_scene(), "float", 200, Timing::certified},
+          {busy_scene(.01), "double", 400, Timing::certified},
+          {busy_scene(.01), "float", 200, Timing::certified},
           {heavy_scene(), "double", 200, Timing::paper}};
 }
 
@@ -149,7 +120,7 @@ TEST(Resume, FromACheckpointGivesTheSameBytes) {
 }
 
 TEST(Resume, AfterAnEndByTimeGivesTheSameBytes) {
-  Scene scene = busy_scene();
+  Scene scene = busy_scene(.01);
   RunOptions options = with_states("double", std::numeric_limits<std::uint64_t>::max());
   options.trace = scratch("whole.ndjson");
   run_scene(scene, options);
@@ -231,7 +202,7 @@ std::string with_damage(std::string bytes, std::mt19937& random, bool heavy) {
 }
 
 TEST(Resume, ADamagedStateIsRefusedOrGoesOnAsIfItWereWhole) {
-  const Whole w{busy_scene(), "double", 60};
+  const Whole w{busy_scene(.01), "double", 60};
   const std::string whole = whole_trace(w);
   ASSERT_TRUE(resumes(whole, 80));
   const std::string right = read_bytes(scratch("changed.ndjson"));
@@ -251,7 +222,7 @@ TEST(Resume, ADamagedStateIsRefusedOrGoesOnAsIfItWereWhole) {
 }
 
 TEST(Resume, AStateWithoutAChecksumMayGoOnDifferentlyButNeverCrashes) {
-  const Whole w{busy_scene(), "double", 60};
+  const Whole w{busy_scene(.01), "double", 60};
   std::string whole = whole_trace(w);
   const std::size_t checksum = whole.find(",\"checksum\"", whole.rfind("\n{\"state\":"));
   whole.erase(checksum, whole.find('}', checksum) - checksum);
@@ -264,7 +235,7 @@ TEST(Resume, AStateWithoutAChecksumMayGoOnDifferentlyButNeverCrashes) {
 }
 
 TEST(Resume, NamesWhatDoesNotFit) {
-  const Whole w{busy_scene(), "double", 60};
+  const Whole w{busy_scene(.01), "double", 60};
   const std::string whole = whole_trace(w);
   const std::size_t start = whole.rfind("\n{\"state\":") + 1;
   const auto with = [&](const std::string& old_text, const std::string& new_text) {

@@ -10,35 +10,10 @@
 #include "reference/run/run.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
-#include "verify/scenes/terminal.hpp"
+#include "tests/run/busy_scene.hpp"
 
 namespace tps {
 namespace {
-
-/// Groups, tethers by draw, an impulse, observed clusters, a container of infinite mass, a phase.
-Scene busy_scene() {
-  TerminalParams params;
-  params.vesicles = 8;
-  params.pairs = 16;
-  params.membrane_radius = 12;
-  params.form_probability = .6;
-  params.break_probability = .3;
-  params.grouped = .05;
-  params.impact_at = .5;
-  params.duration = 3;
-  Scene scene = build_terminal(params);
-  for (const PairLaw& law : scene.pairs) {
-    if (!law.tethering || law.tethering->form.when != FormRule::When::probability) continue;
-    scene.phases.push_back({.from = .25,
-                            .until = .75,
-                            .species_a = law.species_a,
-                            .species_b = law.species_b,
-                            .form = FormRule{.when = FormRule::When::never},
-                            .breaks = {}});
-    break;
-  }
-  return scene;
-}
 
 /// The full states of a run, as they are read.
 std::vector<StateData> states_of(const Scene& scene, ScalarKind scalar, std::uint64_t events) {
@@ -63,7 +38,7 @@ std::string words_of(const std::vector<StateProblem>& problems) {
 }
 
 TEST(CheckState, StatesOfRunsHaveNothingWrong) {
-  const Scene scene = busy_scene();
+  const Scene scene = busy_scene(.05);
   const std::vector<std::pair<ScalarKind, int>> scalars = {
       {ScalarKind::double_, 53}, {ScalarKind::float_, 24}, {ScalarKind::mp50, 168}};
   for (const auto& [scalar, digits] : scalars) {
@@ -221,7 +196,7 @@ std::vector<Lie> lies() {
 }
 
 TEST(CheckState, EveryLieIsFoundInEveryStateThatHasRoomForIt) {
-  const Scene scene = busy_scene();
+  const Scene scene = busy_scene(.05);
   const std::vector<StateData> states = states_of(scene, ScalarKind::double_, 400);
   for (const Lie& lie : lies()) {
     std::size_t told = 0;
@@ -239,7 +214,7 @@ TEST(CheckState, EveryLieIsFoundInEveryStateThatHasRoomForIt) {
 
 TEST(ReadState, IsStrict) {
   const std::string line = [] {
-    const std::vector<StateData> states = states_of(busy_scene(), ScalarKind::double_, 60);
+    const std::vector<StateData> states = states_of(busy_scene(.05), ScalarKind::double_, 60);
     return write_state(states.back(), states.back().t);
   }();
   const auto refusal = [&](const std::string& from, const std::string& to) {
