@@ -14,6 +14,7 @@
 #include "verify/cli/write_result.hpp"
 #include "verify/cost/measure.hpp"
 #include "verify/cost/report.hpp"
+#include "verify/cost/run_level.hpp"
 
 namespace tps::cli {
 namespace {
@@ -24,7 +25,7 @@ struct CostArguments {
   StudyOptions options;
   std::vector<std::string> variants, strata;
   std::string from, json, csv, page, format = "text";
-  bool quick = false, without_times = false, quiet = false;
+  bool runs = false, quick = false, without_times = false, quiet = false;
 };
 
 std::vector<std::string> variant_names() {
@@ -91,7 +92,8 @@ a question, wrong verdicts, error of the time (docs/accuracy-cost.md). Times are
 With --json FILE a call that was interrupted goes on where the file ends.
 Examples: tps cost --quick --page cost.html
           tps cost --quick --stratum graze --variant stable-double,certified-time
-          tps cost --from cost.json --page cost.html)";
+          tps cost --from cost.json --page cost.html
+          tps cost --runs)";
 
 /// Tells more than --quick asks: rates of ten in a million show, and intervals are narrow.
 constexpr StudyOptions kFull{1, 50'000, 1024, 31};
@@ -132,6 +134,11 @@ void add_cost(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 10'000));
   verb->add_option("--seed", a->options.seed, "Which questions")->check(integer_from(0, "a seed"));
   verb->add_flag("--without-times", a->without_times, "Verdicts and errors only: the same on every machine");
+  verb->add_flag("--runs", a->runs,
+                 "Whole runs instead: events a second, drift, horizon, in each scalar and timing")
+      ->excludes("--variant")
+      ->excludes("--stratum")
+      ->excludes("--without-times");
   verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring");
   verb->add_option("--json", a->json, "Where the study goes as JSON (data/schemas/cost.schema.json)");
   verb->add_option("--csv", a->csv, "Where it goes as CSV");
@@ -142,6 +149,11 @@ void add_cost(CLI::App& app, int& exit_code) {
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kCostFooter);
   verb->callback([=, &exit_code] {
+    if (a->runs) {
+      write_result("-", runs_text(measure_runs({a->options.seed})));
+      exit_code = kDone;
+      return;
+    }
     const StudyOptions given = a->options;
     StudyOptions defaults = a->quick ? StudyOptions{} : kFull;
     if (verb->count("--questions") > 0) defaults.questions = given.questions;

@@ -1,0 +1,52 @@
+// What a run costs in each scalar and timing, and how long it stays the run that a hundred digits make of the
+// same scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/run/run.hpp"
+
+namespace tps::cost {
+
+/// One run of a scene.
+struct RunRow {
+  std::string scene, scalar, timing;
+  int bits = 0;
+  std::uint64_t events = 0;
+  double events_per_second = 0;
+  double momentum_drift = 0, energy_remainder = 0;  ///< as in RunSummary
+  /// Events, in order, that are those of the run in mp100 (kind and pair); absent where all are.
+  std::optional<std::uint64_t> horizon = std::nullopt;
+};
+
+/// A straight line through the horizons of one scene under stable timing, by least squares.
+struct HorizonFit {
+  std::string scene;
+  int points = 0;
+  double events_per_bit = 0, standard_error = 0;
+
+  /// A disturbance doubles in events_per_bit events: the exponent of its growth an event.
+  double exponent() const;
+};
+
+struct RunLevel {
+  std::vector<RunRow> rows;
+  std::vector<HorizonFit> fits;  ///< of scenes with three horizons or more
+};
+
+struct RunLevelOptions {
+  std::uint64_t seed = 1;
+  std::uint64_t events = 3000;  ///< at most, of each run
+};
+
+/// Scenes: a gas of twenty spheres, and the paper's X-Y-Z.
+RunLevel measure_runs(const RunLevelOptions& options);
+
+/// REQUIRES three rows with a horizon or more.
+HorizonFit fit_horizons(const std::string& scene, const std::vector<RunRow>& rows);
+
+std::string runs_text(const RunLevel& level);
+
+}  // namespace tps::cost
