@@ -49,6 +49,14 @@ void require_apart(const World<Scalar, D>& world, int i, int j) {
   throw OutOfRange("the distance of " + pair_name(world.scene, i, j) + ", which rounding puts at one point,");
 }
 
+/// require_normal_impulse for both bodies of a pair.
+template <typename Scalar, int D>
+void require_normal_impulses(const World<Scalar, D>& world, int i, int j, const Vector<Scalar, D>& dp,
+                             const Scalar& mass_i, const Scalar& mass_j) {
+  require_normal_impulse<Scalar, D>(world.scene, i, dp, mass_i, world.velocity(i));
+  require_normal_impulse<Scalar, D>(world.scene, j, dp, mass_j, world.velocity(j));
+}
+
 /// The velocities of two bodies after their response, rounded so that their particles i and j leave each
 /// other the right way (D22). What that changes enters the ledger's bounds.
 template <typename Scalar, int D>
@@ -72,6 +80,7 @@ class FreeCoupling final : public Coupling<Scalar, D> {
   Scalar body_mass(const World<Scalar, D>& world, int i) const override { return world.mass(i); }
 
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>&) override {
+    require_normal_impulses<Scalar, D>(world, c.i, c.j, c.dp, c.mass_i, c.mass_j);
     const PairVelocities<Scalar, D> v =
         apply_impulse<Scalar, D>(c.mass_i, c.mass_j, world.velocity(c.i), world.velocity(c.j), c.dp);
     const PairVelocities<Scalar, D> directed =
@@ -83,6 +92,7 @@ class FreeCoupling final : public Coupling<Scalar, D> {
   }
 
   void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse, Record<Scalar, D>&) override {
+    require_normal_impulse<Scalar, D>(world.scene, i, impulse, world.mass(i), world.velocity(i));
     world.set_velocity(i, world.velocity(i) + impulse / world.mass(i));
   }
 };

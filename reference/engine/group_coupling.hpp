@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "reference/engine/coupling.hpp"
@@ -35,6 +36,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   /// Loads two bodies (semantics §4): both take v_load, the node keeps Δp_AB, the whole tree gets a new
   /// expiry. An infinite mass stays outside, so that bodies grounded on it remain separate trees.
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>& record) override {
+    require_normal_impulses<Scalar, D>(world, c.i, c.j, c.dp, c.mass_i, c.mass_j);
     const Vec v_i = world.velocity(c.i);
     const Vec v_j = world.velocity(c.j);
     const Vec v_load = load_velocity<Scalar, D>(c.mass_i, c.mass_j, v_i, v_j);
@@ -62,7 +64,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     move_as_one(world, joined.members, v_load, record);
     record.dp_stored = dp_stored;
     record.members = joined.members;
-    world.ledger.stored += dp_stored.squaredNorm() / mu / Scalar(2);
+    world.ledger.stored += energy_kept(dp_stored, mu);
     add_wall_impulse(world, c.mass_i, c.mass_j, Vec(mu * c.frame.v_AB));
     world.statistics.largest_group =
         std::max<std::uint64_t>(world.statistics.largest_group, joined.members.size());
@@ -72,6 +74,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     const Body* body = forest_.body(i);
     const std::vector<int> members = body != nullptr ? body->members : std::vector<int>{i};
     const Scalar mass = body_mass(world, i);
+    require_normal_impulse<Scalar, D>(world.scene, i, impulse, mass, world.velocity(i));
     move_as_one(world, members, Vec(world.velocity(i) + impulse / mass), record);
     if (mass == std::numeric_limits<Scalar>::infinity()) world.ledger.add_from_walls(Vec(-impulse));
   }
@@ -97,11 +100,23 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   }
 
  private:
-  /// A sum of finite masses is finite, and so is a time that a finite one ends.
+  /// |Δp_AB|²/2μ, what a load keeps for its restitution.
+  static Scalar energy_kept(const Vec& dp, const Scalar& mu) {
+    using std::ldexp;
+    const int shift = comfortable_shift<Scalar, D>(dp);
+    if (shift == 0) return dp.squaredNorm() / mu / Scalar(2);
+    return ldexp(Scalar(shifted<Scalar, D>(dp, shift).squaredNorm() / mu / Scalar(2)), -2 * shift);
+  }
+
+  /// A sum of finite masses is finite, and so is a time that a finite one ends. The weights of eq. (6) are
+  /// normal numbers, or v_load would not be right to rounding.
   void require_range(const World<Scalar, D>& world, const Collision<Scalar, D>& c, const Body& joined) const {
     const bool finite_masses = is_finite(c.mass_i) && is_finite(c.mass_j);
     const std::string of = " of the group of " + pair_name(world.scene, c.i, c.j);
     if (finite_masses && !is_finite(joined.mass)) throw OutOfRange("the mass" + of);
+    const Scalar least = (std::numeric_limits<Scalar>::min)();
+    if (finite_masses && std::min(c.mass_i, c.mass_j) / joined.mass < least)
+      throw OutOfRange("the share of the lighter mass" + of);
     if (is_finite(dt_restitute_) && joined.expiry == Time<Scalar>::never())
       throw OutOfRange("the restitution" + of);
   }
@@ -113,6 +128,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     Record<Scalar, D> record = world.open_record("restitute", node.i, node.j);
     require_apart(world, node.i, node.j);
     record.dp = node.dp;
+    require_normal_impulses<Scalar, D>(world, node.i, node.j, node.dp, node.mass[0], node.mass[1]);
     const PairVelocities<Scalar, D> v = directed_response<Scalar, D>(
         world, node.i, node.j, node.limit, node.mass[0], node.mass[1],
         apply_impulse<Scalar, D>(node.mass[0], node.mass[1], world.velocity(node.i), world.velocity(node.j),
@@ -120,7 +136,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     for (const int m : members_i) world.set_velocity(m, v.v_A);
     for (const int m : members_j) world.set_velocity(m, v.v_B);
     const Scalar mu = reduced_mass<Scalar>(node.mass[0], node.mass[1]);
-    world.ledger.stored += -node.dp.squaredNorm() / mu / Scalar(2);
+    world.ledger.stored += -energy_kept(node.dp, mu);
     add_wall_impulse(world, node.mass[0], node.mass[1], node.dp);
     world.responded.add(node.i, node.j, node.limit);
     world.close_record(record);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "reference/engine/effect.hpp"
@@ -40,6 +42,7 @@ class PairPredictor {
       if (!question) continue;
       const std::optional<Scalar> dt = world.timing.next(pair, *question);
       if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
+      if (dt) require_resolved(world, pair, question->distance, *dt);
       if (!dt || (earliest && !(*dt < *earliest))) continue;
       earliest = dt;
       effect = predictor.index;
@@ -49,6 +52,17 @@ class PairPredictor {
   }
 
  private:
+  /// A time below the normal numbers is one of a pair at its limit, or one that underflowed: then the time in
+  /// which the pair crosses its limit does so, too.
+  static void require_resolved(const World<Scalar, D>& world, const PairView<Scalar, D>& pair,
+                               const Scalar& distance, const Scalar& dt) {
+    const Scalar least = (std::numeric_limits<Scalar>::min)();
+    if (dt >= least) return;
+    if (Scalar(distance / norm<Scalar, D>(pair.v_j - pair.v_i)) < least)
+      throw OutOfRange("the time in which " + pair_name(world.scene, pair.i, pair.j) +
+                       " meet, which underflows,");
+  }
+
   static void require_range(const World<Scalar, D>& world, const PairView<Scalar, D>& pair) {
     const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
     if (finite(pair.u_j - pair.u_i) && finite(pair.v_j - pair.v_i)) return;

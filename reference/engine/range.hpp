@@ -3,6 +3,7 @@
 // "Range").
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +45,21 @@ void require_range(const Scene& scene, const Record<Scalar, D>& record) {
   if (record.dp_stored && !is_finite<Scalar, D>(*record.dp_stored))
     throw OutOfRange("the stored impulse of " + pair_name(scene, record.i, record.j) + event());
   if (!is_finite(record.dt)) throw OutOfRange("the time since the event before");
+}
+
+/// Throws OutOfRange where an impulse on a particle's body, or the change of velocity that it makes there, is
+/// rounded below the normal numbers: the error is then no longer u of the impulse or of a speed.
+///
+/// `mass` and `velocity` are those of the body before the impulse; an impulse of exactly zero changes nothing.
+template <typename Scalar, int D>
+void require_normal_impulse(const Scene& scene, int i, const Vector<Scalar, D>& dp, const Scalar& mass,
+                            const Vector<Scalar, D>& velocity) {
+  if (!is_finite(mass) || dp == Vector<Scalar, D>::Zero()) return;
+  const Scalar least = (std::numeric_limits<Scalar>::min)();
+  const Scalar impulse = dp.cwiseAbs().maxCoeff();
+  if (impulse < least) throw OutOfRange("the impulse on " + particle_name(scene, i) + ", which underflows,");
+  if (Scalar(impulse / mass) < least && velocity.cwiseAbs().maxCoeff() < least)
+    throw OutOfRange("the velocity of " + particle_name(scene, i) + ", which underflows at an impulse,");
 }
 
 /// Throws OutOfRange unless every sum of the ledger is finite.

@@ -73,6 +73,16 @@ void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, c
   }
 }
 
+/// Throws OutOfRange where eq. (4) or (5) has an impulse, and the scalar has none: it underflowed to zero.
+template <typename Scalar, int D>
+void require_impulse(const World<Scalar, D>& world, const Collision<Scalar, D>& c) {
+  if (c.dp != Vector<Scalar, D>::Zero()) return;
+  const bool turns = c.limit == Limit::inner ? c.frame.v_n < Scalar(0) : c.frame.v_n > Scalar(0);
+  const bool revolves = c.limit == Limit::outer && c.frame.v_w != Vector<Scalar, D>::Zero();
+  if (turns || revolves)
+    throw OutOfRange("the impulse between " + pair_name(world.scene, c.i, c.j) + ", which underflows,");
+}
+
 /// Passes the impulse of a collision on to the bodies and remembers that the pair has responded. With the
 /// wrong sign of v_n the event stands with Δp = 0 (semantics §1) and loads nothing.
 template <typename Scalar, int D>
@@ -80,6 +90,7 @@ void answer(World<Scalar, D>& world, const Collision<Scalar, D>& collision, bool
             const Scalar& loss, Record<Scalar, D>& record) {
   record.dp = collision.dp;
   if (has_impulse) {
+    require_impulse(world, collision);
     world.ledger.lost += loss;
     world.coupling->collide(world, collision, record);
   } else {

@@ -45,7 +45,7 @@ void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, cons
   sample.mass = static_cast<double>(mass);
   sample.extent = static_cast<double>(Scalar(sqrt(Scalar(spread / mass))));
   sample.relative_speed = static_cast<double>(Scalar(sqrt(Scalar(agitation / mass))));
-  sample.centre_speed = static_cast<double>(Scalar(sqrt(velocity.squaredNorm())));
+  sample.centre_speed = static_cast<double>(norm<Scalar, D>(velocity));
   for (int k = 0; k < D; ++k)
     sample.centre_velocity[static_cast<std::size_t>(k)] = static_cast<double>(velocity[k]);
   if (!is_finite(sample.extent) || !is_finite(sample.relative_speed) || !is_finite(sample.centre_speed) ||

@@ -49,7 +49,7 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
     const std::size_t n = static_cast<std::size_t>(k);
     drift[k] -= ledger.from_walls[n].value() + ledger.from_outside[n].value();
   }
-  s.momentum_drift = static_cast<double>(Scalar(sqrt(drift.squaredNorm())));
+  s.momentum_drift = static_cast<double>(norm<Scalar, D>(drift));
   const Scalar kinetic = kinetic_energy(world());
   const Scalar gained = kinetic - ledger.kinetic_at_start;
   const Scalar remainder = gained + ledger.stored.value() + ledger.lost.value() - ledger.work.value();

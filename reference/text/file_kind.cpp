@@ -72,6 +72,48 @@ bool is_count(std::string_view word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// A title, the number of atoms, and atoms in fixed columns: residue, name, number, x, y, z.
+bool is_gromacs(const std::vector<std::string_view>& lines) {
+  constexpr std::size_t kShortestAtom = 44;
+  return lines.size() > 2 && words_of(lines[1]).size() == 1 && is_count(words_of(lines[1])[0]) &&
+         lines[2].size() >= kShortestAtom && lines[2].find_first_of("{}[]\",") == std::string_view::npos;
+}
+
+/// Two lines with the same number of commas, and no bracket of JSON.
+bool is_table(const std::vector<std::string_view>& lines) {
+  if (lines.size() < 2) return false;
+  const auto commas = [](std::string_view line) { return std::count(line.begin(), line.end(), ','); };
+  const bool plain = lines[0].find_first_of("{}[]") == std::string_view::npos &&
+                     lines[1].find_first_of("{}[]") == std::string_view::npos;
+  return plain && commas(lines[0]) > 0 && commas(lines[0]) == commas(lines[1]);
+}
+
+/// The first command is one that an input script begins with.
+bool is_lammps_input(const std::vector<std::string_view>& lines) {
+  constexpr std::array kFirst{"units"sv,      "atom_style"sv, "dimension"sv,  "boundary"sv,    "newton"sv,
+                              "lattice"sv,    "region"sv,     "pair_style"sv, "read_data"sv,   "variable"sv,
+                              "processors"sv, "package"sv,    "create_box"sv, "read_restart"sv};
+  for (const std::string_view line : lines) {
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.empty() || words[0].starts_with('#')) continue;
+    return words.size() >= 2 && std::find(kFirst.begin(), kFirst.end(), words[0]) != kFirst.end();
+  }
+  return false;
+}
+
+/// A document mark, or "key:" or "key: value" in the first line that is no comment.
+bool is_yaml(const std::vector<std::string_view>& lines) {
+  for (const std::string_view line : lines) {
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.empty() || words[0].starts_with('#')) continue;
+    const std::string_view key = words[0];
+    const bool is_key =
+        key.size() > 1 && key.ends_with(':') && key.find_first_of("\"{}[],") == std::string_view::npos;
+    return line == "---" || line.starts_with("%YAML") || is_key;
+  }
+  return false;
+}
+
 /// Text formats that begin with no magic.
 RecognisedFile recognise_text(std::string_view beginning) {
   const std::vector<std::string_view> lines = first_lines(beginning, 40);
@@ -88,6 +130,13 @@ RecognisedFile recognise_text(std::string_view beginning) {
     if (lines.size() > 2 && words_of(lines[2]).size() >= 4)
       return {FileKind::foreign, "an XYZ file", kConvert};
   }
+  if (is_gromacs(lines)) return {FileKind::foreign, "a GROMACS structure (.gro)", kConvert};
+  if (is_table(lines)) return {FileKind::foreign, "a table with commas (CSV)", kConvert};
+  if (is_lammps_input(lines))
+    return {FileKind::foreign, "an input script of LAMMPS",
+            "write its interactions and its particles as a scene (docs/scene.md)"};
+  if (is_yaml(lines))
+    return {FileKind::foreign, "YAML", "write it as JSON: scenes, traces and known answers are JSON"};
   for (const std::string_view line : lines) {
     const std::vector<std::string_view> words = words_of(line);
     if (words.size() >= 2 && is_count(words[0]) && words[1] == "atoms")

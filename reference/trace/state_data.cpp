@@ -104,7 +104,8 @@ std::string content_of(const StateData& state, const Hex& t) {
 // Reading.
 
 constexpr std::uint64_t kMostId = INT32_MAX;
-constexpr std::size_t kLongestNumber = 400;  // of 333 bits, the widest scalar, are 84 digits and an exponent
+/// Numbers of the widest scalar have 84 digits; but t is start_time + hi + lo, whose digits may lie far apart.
+constexpr std::size_t kLongestNumber = 2000;
 
 std::int32_t id_from(const Field& value) {
   return static_cast<std::int32_t>(value.natural(kMostId));

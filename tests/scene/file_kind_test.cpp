@@ -39,6 +39,12 @@ TEST(FileKind, FormatsOfTheField) {
       {"<?xml version=\"1.0\"?>\n<DynamOconfig>", "DynamO"},
       {"<!DOCTYPE html>", "XML or HTML"},
       {"CRYST1   10.000", "PDB"},
+      {"Water, t= 0.0\n    2\n    1WATER  OW1    1   0.126   1.624   1.679\n", "GROMACS"},
+      {"id,x,y\n0,1,2\n", "CSV"},
+      {"0.0,1.0\n2.0,3.0\n", "CSV"},
+      {"# melt\n\nunits lj\natom_style atomic\n", "input script of LAMMPS"},
+      {"# scene\nspecies:\n  A: {mass: 1}\n", "YAML"},
+      {"---\ntps: 1\n", "YAML"},
   };
   for (const auto& [text, what] : files) {
     const RecognisedFile found = recognise_file(text);

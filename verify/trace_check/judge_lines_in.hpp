@@ -42,8 +42,9 @@ class LineJudge {
     tally_.step = {report_.lines, checker_.model().events, {}, {}};
     checker_.close();
     report_.certified_comparisons = checker_.exact_comparisons();
-    if (!facts_.minimal && report_.states == 0)
-      tally_.not_judged(Rule::states, "the trace has no full states to judge");
+    if (!facts_.minimal) say_missing_states();
+    if (report_.end == "out_of_range")
+      tally_.not_judged(Rule::end, "that the step after the last event leaves the range is taken as given");
     if (!facts_.own_draws && has_draws_)
       tally_.not_judged(Rule::tethers, "the draws are taken as given, only their use is judged");
     const auto advice = digits_.advice();
@@ -51,6 +52,17 @@ class LineJudge {
   }
 
  private:
+  void say_missing_states() {
+    if (report_.states == 0) {
+      tally_.not_judged(Rule::states, "the trace has no full states to judge");
+      return;
+    }
+    if (!begins_with_state_) tally_.not_judged(Rule::states, "there is no full state before the first event");
+    if (last_state_ != report_.events)
+      tally_.not_judged(Rule::states,
+                        fmt::format("there is no full state behind event {}, the last", report_.events));
+  }
+
   void bad(const std::string& pointer, const std::string& message) {
     tally_.demand(Rule::schema, false, [&](Finding& f) {
       f.message = pointer.empty() ? message : fmt::format("{} {}", pointer, message);
@@ -77,6 +89,8 @@ class LineJudge {
   }
   void take(const StateLine<Number>& state) {
     ++report_.states;
+    begins_with_state_ = begins_with_state_ || report_.events == 0;
+    last_state_ = report_.events;
     tally_.step.event = state.data.k;
     checker_.take(state);
   }
@@ -88,6 +102,8 @@ class LineJudge {
 
   const TraceFacts facts_;
   bool has_draws_ = false;
+  bool begins_with_state_ = false;
+  std::uint64_t last_state_ = 0;  ///< behind which event, counted in lines
   DecimalDigits digits_;
   Tally& tally_;
   CheckReport& report_;

@@ -74,7 +74,11 @@ class Tally {
 
   /// Something to know about the trace as a whole.
   void note(std::string text) { report_.notes.push_back(std::move(text)); }
-  void not_judged(Rule rule, std::string why) { of(rule).not_judged = std::move(why); }
+  /// What of a rule could not be judged, each reason once.
+  void not_judged(Rule rule, const std::string& why) {
+    std::string& said = of(rule).not_judged;
+    if (said.find(why) == std::string::npos) said += (said.empty() ? "" : "; ") + why;
+  }
 
   /// A step that the rule cannot judge, since its margin is larger than what it judges. Said once, with the
   /// first place and the number of steps.

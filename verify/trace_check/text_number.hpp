@@ -1,8 +1,12 @@
 // Hexadecimal floats of a trace as the check's numbers.
 #pragma once
 
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "reference/text/hexfloat.hpp"
@@ -11,6 +15,10 @@
 #include "verify/trace_check/number.hpp"
 
 namespace tps::check {
+
+/// Hexadecimal digits of a time that are read: more than lie between the largest double and the last bit of
+/// hi + lo beside the smallest.
+inline constexpr std::size_t kDigitsOfATime = 1500;
 
 /// The number that a text spells, or nothing where it is no number of that width. Infinities are numbers
 /// here.
@@ -26,19 +34,27 @@ inline std::optional<double> number_of<double>(std::string_view text) {
   return hex.value;
 }
 
-/// The number of the first digits that a sum of two Numbers can have, as a sum.
+/// The number that a time on the scene's clock is after start_time. The difference is formed exactly: beside a
+/// late start a sum hi + lo has more digits than a Number.
 template <typename Number>
 Instant<Number> instant_of(const HexDigits& digits, double start_time) {
+  using boost::multiprecision::cpp_int;
   using std::ldexp;
-  Number value(0);
-  const std::size_t kept = std::min<std::size_t>(digits.digits.size(), 200);
-  for (std::size_t n = 0; n < kept; ++n) {
-    const char digit = digits.digits[n];
-    value = ldexp(value, 4) + Number(digit <= '9' ? digit - '0' : digit - 'a' + 10);
+  const std::size_t kept = std::min(digits.digits.size(), kDigitsOfATime);
+  cpp_int value = kept == 0 ? cpp_int(0) : cpp_int("0x" + std::string(digits.digits.substr(0, kept)));
+  if (digits.negative) value = -value;
+  long exponent = digits.exponent + 4 * static_cast<long>(digits.digits.size() - kept);
+  if (start_time != 0) {
+    constexpr int kBits = std::numeric_limits<double>::digits;
+    int start_exponent = 0;
+    cpp_int start(ldexp(std::frexp(start_time, &start_exponent), kBits));
+    start_exponent -= kBits;
+    const long lowest = std::min<long>(exponent, start_exponent);
+    value = (value << static_cast<unsigned>(exponent - lowest)) -
+            (start << static_cast<unsigned>(start_exponent - lowest));
+    exponent = lowest;
   }
-  const long exponent = digits.exponent + 4 * static_cast<long>(digits.digits.size() - kept);
-  value = ldexp(value, static_cast<int>(exponent));
-  return {(digits.negative ? Number(-value) : value) - Number(start_time), Number(0)};
+  return {ldexp(Number(value), static_cast<int>(exponent)), Number(0)};
 }
 
 /// Pieces of 52 bits are doubles. Their sum with −start_time is one of two doubles, but not every partial sum

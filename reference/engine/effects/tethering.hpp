@@ -83,7 +83,6 @@ class Tethering final : public Effect<Scalar, D> {
 
   static bool breaks(World<Scalar, D>& world, const TetheringOfPair& law, const Collision<Scalar, D>& c,
                      Record<Scalar, D>& record) {
-    using std::sqrt;
     switch (law.breaks.when) {
       case BreakRule::When::never:
         return false;
@@ -93,7 +92,7 @@ class Tethering final : public Effect<Scalar, D> {
         record.draw = world.draw(Purpose::tether_break, c.i, c.j);
         return *record.draw < law.breaks.probability;
       case BreakRule::When::impulse_above:
-        return sqrt(c.dp.squaredNorm()) > Scalar(law.breaks.threshold);
+        return norm<Scalar, D>(c.dp) > Scalar(law.breaks.threshold);
     }
     return false;
   }

@@ -1,0 +1,121 @@
+// Honest runs at both ends of a scalar's range, of two balls with masses, lengths and speeds of any
+// magnitude: a run that goes on conforms, and one that cannot says so; late starts likewise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "reference/text/input_error.hpp"
+#include "tests/run/traced_run.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps {
+namespace {
+
+using testing::add_particle;
+
+class Magnitudes {
+ public:
+  explicit Magnitudes(unsigned seed) : random_(seed) {}
+
+  /// A ball at rest and another that flies at it; in a third of the scenes they are tethered, in a third
+  /// grouped.
+  Scene scene(double lowest, double highest) {
+    const double length = magnitude(lowest, highest), speed = magnitude(lowest, highest);
+    Scene scene = testing::plain_scene();
+    scene.species[0].mass = magnitude(lowest, highest);
+    scene.species[0].radius = length / 2;
+    const int other = testing::add_species(scene, "other", magnitude(lowest, highest), length / 2);
+    testing::block(scene, 0, other, pick({0., .5, 1.}));
+    if (pick({0, 0, 1}) == 1) {
+      testing::tether(scene, 0, other, 3.5 * length, .5);
+      scene.tethers = {{0, 1}};
+    }
+    if (pick({0, 0, 1}) == 1) scene.grouping = Grouping{length / speed / 8};
+    add_particle(scene, 0, {0, 0, 0});
+    add_particle(scene, other, {3 * length, pick({0., .25}) * length, 0}, {-speed, 0, 0});
+    scene.duration = 20 * length / speed;
+    return scene;
+  }
+
+  template <typename T>
+  T pick(std::initializer_list<T> of) {
+    return of.begin()[std::uniform_int_distribution<std::size_t>(0, of.size() - 1)(random_)];
+  }
+
+ private:
+  double magnitude(double lowest, double highest) {
+    if (pick({0, 0, 1}) == 1) return 1;
+    return std::pow(10., std::uniform_real_distribution<double>(lowest, highest)(random_));
+  }
+
+  std::mt19937 random_;
+};
+
+bool is_possible(const Scene& scene) {
+  const double length = scene.species[0].radius;
+  const bool has_time = scene.duration > 0 && std::isfinite(scene.duration) &&
+                        (!scene.grouping || scene.grouping->dt_restitute > 0);
+  return length > 0 && std::isfinite(8 * length) && has_time;
+}
+
+/// The end of a run that was found to conform; "refused" where it did not begin.
+std::string judged_end(const Scene& scene, const std::string& scalar, Timing timing, int n) {
+  RunOptions options = testing::options_for(scalar, 20);
+  options.timing = can_be_timed(options.scalar, timing) ? timing : Timing::stable;
+  certified::ExactTiming certifier;
+  options.certifier = &certifier;
+  options.trace = testing::scratch("magnitudes.ndjson");
+  std::string end;
+  try {
+    const RunSummary run = run_scene(scene, options);
+    EXPECT_LE(run.momentum_drift, run.momentum_bound) << n;
+    EXPECT_LE(std::abs(run.energy_remainder), run.energy_bound) << n;
+    end = run.end;
+  } catch (const InputError&) {
+    return "refused";
+  }
+  const check::CheckReport report = check::check_trace(options.trace);
+  const std::string what = report.findings.empty() ? std::string() : report.findings.front().message;
+  EXPECT_TRUE(report.conforming()) << n << ' ' << scalar << ' ' << end << ": " << what;
+  std::filesystem::remove(options.trace);
+  return end;
+}
+
+// Impulses, changes of velocity, weights of eq. (6) and times that underflow were lost without a word.
+TEST(Magnitudes, WhatRunsConforms) {
+  Magnitudes generator(20261126);
+  int ran = 0;
+  int left = 0;
+  for (int n = 0; n < 1500; ++n) {
+    const std::string scalar = generator.pick({"float", "double", "double", "long-double"});
+    const bool is_float = scalar == "float";
+    const Scene scene = generator.scene(is_float ? -46 : -323, is_float ? 40 : 308);
+    const Timing timing = generator.pick({Timing::stable, Timing::paper, Timing::certified});
+    if (!is_possible(scene)) continue;
+    const std::string end = judged_end(scene, scalar, timing, n);
+    (end == "out_of_range" || end == "refused" ? left : ran) += 1;
+  }
+  EXPECT_GE(ran, 300);
+  EXPECT_GE(left, 100);
+}
+
+// The difference of a time and a late start was formed in too few digits.
+TEST(Magnitudes, LateStartsConform) {
+  for (const char* scalar : {"float", "double", "long-double", "quad", "mp50", "mp100"}) {
+    for (const int exponent : {60, 300, 500, 650, 700, 750, 900, 1000}) {
+      Scene scene = testing::plain_scene();
+      scene.start_time = std::ldexp(1., exponent);
+      scene.duration = 10;
+      testing::block(scene, 0, 0, 1);
+      add_particle(scene, 0, {0, 0, 0});
+      add_particle(scene, 0, {3, .25, 0}, {-1, 0, 0});
+      EXPECT_EQ(judged_end(scene, scalar, Timing::stable, exponent), "duration");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tps
