@@ -19,6 +19,7 @@ enum class Rank : std::uint8_t {
   scheduled_impulse,
   gravity,
   random_impulse,
+  thermostat,
   collision,
 };
 

@@ -40,6 +40,7 @@ void require_range(const Scene& scene, const Record<Scalar, D>& record) {
       throw OutOfRange("the velocity of " + particle_name(scene, change.particle) + " after its " +
                        std::string(record.kind));
   }
+  if (record.dv && !is_finite<Scalar, D>(*record.dv)) throw OutOfRange("the change of velocities" + event());
   if (record.dp && !is_finite<Scalar, D>(*record.dp))
     throw OutOfRange("the impulse between " + pair_name(scene, record.i, record.j) + event());
   if (record.dp_stored && !is_finite<Scalar, D>(*record.dp_stored))
@@ -50,7 +51,8 @@ void require_range(const Scene& scene, const Record<Scalar, D>& record) {
 /// Throws OutOfRange where an impulse on a particle's body, or the change of velocity that it makes there, is
 /// rounded below the normal numbers: the error is then no longer u of the impulse or of a speed.
 ///
-/// `mass` and `velocity` are those of the body before the impulse; an impulse of exactly zero changes nothing.
+/// `mass` and `velocity` are those of the body before the impulse; an impulse of exactly zero changes
+/// nothing.
 template <typename Scalar, int D>
 void require_normal_impulse(const Scene& scene, int i, const Vector<Scalar, D>& dp, const Scalar& mass,
                             const Vector<Scalar, D>& velocity) {

@@ -31,6 +31,7 @@ struct Record {
   std::vector<ParticleChange<Scalar, D>> involved;
   std::optional<Vector<Scalar, D>>
       dp;  ///< Δp on i: of eq. (4) or (5), of eq. (7) at a restitution, J from outside
+  std::optional<Vector<Scalar, D>> dv;  ///< of every finite mass, at an event that concerns all of them
   std::optional<Vector<Scalar, D>> dp_stored;  ///< Δp_AB of eq. (7), at a load
   TetherChange tether = TetherChange::none;
   std::optional<double> draw;  ///< uniform in [0, 1): the random number that decided `tether`

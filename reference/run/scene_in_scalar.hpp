@@ -31,9 +31,14 @@ class SceneInScalar {
  public:
   SceneInScalar(const Scene& scene, const RunOptions& options) : scene_(scene) {
     for (std::size_t n = 0; n < scene.species.size(); ++n) judge_mass(scene.species[n]);
+    for (const Species& species : scene.species) judge_kicks(species);
     for (const PairLaw& law : scene.pairs) judge_law(law);
     for (std::size_t i = 0; i < scene.particles.size(); ++i) judge_particle(scene.particles[i]);
     if (scene.grouping) judge("/grouping/dt_restitute", scene.grouping->dt_restitute);
+    if (scene.gravity) {
+      judge("/gravity/every", scene.gravity->every);
+      judge_vector("/gravity/acceleration", scene.gravity->acceleration, "the acceleration");
+    }
     for (std::size_t n = 0; n < scene.impulses.size(); ++n) {
       const std::string at = "/impulses/" + std::to_string(n);
       judge(at + "/at", scene.impulses[n].at);
@@ -92,6 +97,18 @@ class SceneInScalar {
       return;
     add("/species/" + species.name + "/mass",
         "is " + told(species.mass) + "; the mass or its inverse is not a normal number" + remedy());
+  }
+
+  void judge_kicks(const Species& species) {
+    const std::string at = "/species/" + species.name;
+    if (const auto& kicks = species.random_impulses) {
+      judge(at + "/random_impulses/tau", kicks->tau);
+      judge(at + "/random_impulses/mean", kicks->mean);
+    }
+    if (const auto& bath = species.thermostat) {
+      judge(at + "/thermostat/tau", bath->tau);
+      judge(at + "/thermostat/kT", bath->kT);
+    }
   }
 
   void judge_breaking(const std::string& pointer, const std::optional<BreakRule>& rule) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "reference/scene/check_starts.hpp"
+#include "reference/text/json_pointer.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/schema_words.hpp"
 
@@ -171,6 +173,28 @@ void check_impulses(const Scene& scene, SceneSource& source) {
   }
 }
 
+// Kicks at random times move finite masses; a thermostat has no meaning for a body of several particles.
+void check_kicks(const Scene& scene, SceneSource& source) {
+  for (const Species& species : scene.species) {
+    const std::string at = "/species/" + escape_pointer_key(species.name);
+    const bool fixed = species.mass == std::numeric_limits<double>::infinity();
+    for (const auto& [key, called] : {std::pair("random_impulses", species.random_impulses.has_value()),
+                                      std::pair("thermostat", species.thermostat.has_value())}) {
+      if (called && fixed)
+        source.report(
+            fmt::format("{}/{}", at, key),
+            fmt::format("{} has infinite mass: no impulse moves it; give it a finite mass, or remove "
+                        "the key",
+                        in_quotes(species.name)));
+    }
+    if (species.thermostat && scene.grouping)
+      source.report(
+          at + "/thermostat",
+          "a thermostat and \"grouping\" have no meaning together: a velocity of one particle's mass "
+          "cannot be drawn for a body of several; remove one of the two");
+  }
+}
+
 // Why two different particles cannot be tethered by the scene's list; empty if they can.
 std::string objection(const Scene& scene, const LawsBySpecies& laws, const Particle& a, const Particle& b) {
   const PairLaw* law = find_law(laws, a.species, b.species);
@@ -235,6 +259,7 @@ void check_scene(const Scene& scene, SceneSource& source) {
     }
   }
   if (source.sound({"species", "pairs", "phases"})) check_phases(scene, source);
+  if (source.sound({"species", "grouping"})) check_kicks(scene, source);
   if (!source.sound({"species", "dimension", "particles"})) return;
   check_infinite_masses(scene, source);
   if (source.sound({"impulses"})) check_impulses(scene, source);

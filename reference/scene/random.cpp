@@ -1,5 +1,7 @@
 #include "reference/scene/random.hpp"
 
+#include <cmath>
+
 #include <Random123/philox.h>
 
 namespace tps {
@@ -54,6 +56,38 @@ double next_normal(RandomStream& stream) {
     const double part = x * (2 * k + x) / (2 * k + 2);  // below 1; k + 1 of them make x(2k+x)/2
     if (!happens_with_exp_minus(part, k + 1, stream)) continue;
     return next_uniform(stream) < 0.5 ? -(k + x) : k + x;
+  }
+}
+
+double next_exponential(RandomStream& stream) {
+  // A run of falling numbers that begins at x has an odd length with probability e^-x.
+  for (int whole = 0;; ++whole) {
+    const double first = next_uniform(stream);
+    bool is_odd = true;
+    double last = first;
+    for (double next = next_uniform(stream); next < last; next = next_uniform(stream)) {
+      last = next;
+      is_odd = !is_odd;
+    }
+    if (is_odd) return whole + first;
+  }
+}
+
+double next_gamma(RandomStream& stream, double shape) {
+  if (shape < 1) {
+    const double larger = next_gamma(stream, shape + 1);
+    return larger * std::pow(1 - next_uniform(stream), 1 / shape);
+  }
+  const double d = shape - 1. / 3;
+  const double c = 1 / std::sqrt(9 * d);
+  while (true) {
+    const double x = next_normal(stream);
+    const double root = 1 + c * x;
+    if (root <= 0) continue;
+    const double v = root * root * root;
+    const double u = 1 - next_uniform(stream);
+    if (u < 1 - 0.0331 * x * x * x * x) return d * v;
+    if (std::log(u) < x * x / 2 + d * (1 - v + std::log(v))) return d * v;
   }
 }
 

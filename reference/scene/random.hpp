@@ -17,6 +17,9 @@ enum class Purpose : std::uint32_t {
   tether_form = 3,
   tether_break = 4,
   random_impulse = 5,
+  random_impulse_wait = 6,
+  thermostat = 7,
+  thermostat_wait = 8,
 };
 
 /// Random bits of the draw number `n` of the stream (seed, purpose, a, b); a and b are ids of particles (0
@@ -48,5 +51,15 @@ double next_uniform(RandomStream& stream);
 /// normal distribution", ACM TOMS 42, 2016): comparisons of uniform numbers, no transcendental function. Uses
 /// a varying number of draws, 16 on average.
 double next_normal(RandomStream& stream);
+
+/// The next standard exponential number of a stream (mean 1), by von Neumann's method ("Various techniques
+/// used in connection with random digits", 1951): comparisons of uniform numbers alone. Uses a varying number
+/// of draws, 4.3 on average.
+double next_exponential(RandomStream& stream);
+
+/// The next gamma number of a stream, of shape k > 0 and scale 1 (mean k, variance k), by the rejection
+/// method of Marsaglia and Tsang (ACM TOMS 26, 2000). A logarithm decides the rare cases that squeezing does
+/// not, and for k < 1 a power enters the number: there another C library may give another last bit.
+double next_gamma(RandomStream& stream, double shape);
 
 }  // namespace tps

@@ -13,12 +13,31 @@ namespace tps {
 /// Components beyond `Scene::dimension` are zero.
 using Coordinates = std::array<double, 3>;
 
+/// Impulses at random times on each particle of a species: waiting times exponential with mean `tau`,
+/// magnitudes gamma-distributed with `shape` and `mean`, directions uniform (semantics §5).
+struct RandomImpulses {
+  double tau = 1;
+  double shape = 1;
+  double mean = 1;
+  bool operator==(const RandomImpulses&) const = default;
+};
+
+/// Andersen's thermostat: at exponential times of mean `tau` a particle's velocity is drawn anew from the
+/// Maxwell distribution of kT (semantics §5).
+struct Thermostat {
+  double tau = 1;
+  double kT = 1;
+  bool operator==(const Thermostat&) const = default;
+};
+
 /// A kind of particle. `mass` is in (0, ∞]; `radius` is in [0, ∞).
 struct Species {
   std::string name;
   double mass = 1;
   double radius = 0;
   std::optional<int> max_tethers;  ///< tethers that count towards the capacity; none: unlimited
+  std::optional<RandomImpulses> random_impulses = {};
+  std::optional<Thermostat> thermostat = {};
   bool operator==(const Species&) const = default;
 };
 
@@ -85,6 +104,13 @@ struct ScheduledImpulse {
   bool operator==(const ScheduledImpulse&) const = default;
 };
 
+/// Gravity as impulses m g δ on every finite mass at 0, δ, 2δ, …, the first a half (semantics §5).
+struct Gravity {
+  Coordinates acceleration{};
+  double every = 0;  ///< δ
+  bool operator==(const Gravity&) const = default;
+};
+
 /// Grouping of nearly simultaneous collisions (eqs. 6-7).
 struct Grouping {
   double dt_restitute = 0;
@@ -124,6 +150,7 @@ struct Scene {
   std::vector<Species> species;
   std::vector<PairLaw> pairs;
   std::optional<Grouping> grouping;
+  std::optional<Gravity> gravity;
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;

@@ -69,6 +69,7 @@ class Sections {
     if (!named || !measured) return scene_;
     read_particles();
     if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
+    read_gravity();
     read_impulses();
     read_tethers();
     return scene_;
@@ -94,6 +95,11 @@ class Sections {
       species.mass = number(member.value, "mass");
       species.radius = number(member.value, "radius");
       if (const JsonValue* most = member.value.find("max_tethers")) species.max_tethers = integer(*most);
+      if (const JsonValue* kicks = member.value.find("random_impulses"))
+        species.random_impulses =
+            RandomImpulses{number(*kicks, "tau"), number(*kicks, "shape"), number(*kicks, "mean")};
+      if (const JsonValue* bath = member.value.find("thermostat"))
+        species.thermostat = Thermostat{number(*bath, "tau"), number(*bath, "kT")};
       index_of_.emplace(species.name, static_cast<int>(scene_.species.size()));
       names_.push_back(species.name);
       scene_.species.push_back(species);
@@ -253,6 +259,13 @@ class Sections {
     source_.report(pointer, fmt::format("no particle has the id {}; ids in use lie from {} to {}", id,
                                         scene_.particles.front().id, scene_.particles.back().id));
     return std::nullopt;
+  }
+
+  void read_gravity() {
+    const JsonValue* gravity = root_.find("gravity");
+    if (gravity == nullptr || !source_.sound({"gravity"})) return;
+    scene_.gravity = Gravity{read_vector(*gravity->find("acceleration"), "/gravity/acceleration"),
+                             number(*gravity, "every")};
   }
 
   void read_impulses() {

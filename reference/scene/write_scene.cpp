@@ -49,6 +49,10 @@ class Writer {
     if (scene_.grouping) {
       members.emplace_back("grouping", object({{"dt_restitute", text(scene_.grouping->dt_restitute)}}));
     }
+    if (scene_.gravity) {
+      members.emplace_back("gravity", object({{"acceleration", vector(scene_.gravity->acceleration)},
+                                              {"every", text(scene_.gravity->every)}}));
+    }
     if (!scene_.phases.empty()) members.emplace_back("phases", lines(scene_.phases));
     if (!scene_.impulses.empty()) members.emplace_back("impulses", lines(scene_.impulses));
     members.emplace_back("particles", lines(scene_.particles));
@@ -110,6 +114,12 @@ class Writer {
     for (const Species& each : scene_.species) {
       Members members = {{"mass", text(each.mass)}, {"radius", text(each.radius)}};
       if (each.max_tethers) members.emplace_back("max_tethers", text(*each.max_tethers));
+      if (const auto& kicks = each.random_impulses)
+        members.emplace_back(
+            "random_impulses",
+            object({{"tau", text(kicks->tau)}, {"shape", text(kicks->shape)}, {"mean", text(kicks->mean)}}));
+      if (const auto& bath = each.thermostat)
+        members.emplace_back("thermostat", object({{"tau", text(bath->tau)}, {"kT", text(bath->kT)}}));
       all.emplace_back(each.name, object(members));
     }
     return pretty_ ? block("{", members_text(all), "}", "  ") : object(all);

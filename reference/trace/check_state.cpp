@@ -198,12 +198,20 @@ class StateCheck {
       const std::string pointer = fmt::format("/draws/{}", n);
       const auto i = index(d.first, pointer);
       const auto j = index(d.second, pointer);
-      const bool of_tethers = d.purpose == static_cast<int>(Purpose::tether_form) ||
-                              d.purpose == static_cast<int>(Purpose::tether_break);
-      demand(of_tethers, pointer, fmt::format("purpose {} is no purpose of a draw", d.purpose));
+      const auto is_for = [&](Purpose purpose) { return d.purpose == static_cast<int>(purpose); };
+      const bool of_tethers = is_for(Purpose::tether_form) || is_for(Purpose::tether_break);
+      const bool of_kicks = is_for(Purpose::random_impulse) || is_for(Purpose::thermostat);
+      demand(of_tethers || of_kicks, pointer, fmt::format("purpose {} is no purpose of a draw", d.purpose));
       if (!i || !j) continue;
-      demand(*i < *j && has_limit(*i, *j, true), pointer,
-             fmt::format("particles {} and {} draw for no tether", d.first, d.second));
+      if (of_tethers)
+        demand(*i < *j && has_limit(*i, *j, true), pointer,
+               fmt::format("particles {} and {} draw for no tether", d.first, d.second));
+      if (of_kicks) {
+        const bool kicked = is_for(Purpose::thermostat) ? species(*i).thermostat.has_value()
+                                                        : species(*i).random_impulses.has_value();
+        demand(*i == *j && kicked, pointer,
+               fmt::format("particle {} gets no impulses at random times", d.first));
+      }
       demand(seen.emplace(d.purpose, *i, *j).second, pointer, "stands twice");
     }
   }
@@ -218,6 +226,8 @@ class StateCheck {
                "is more than the phases of the scene begin and end");
       } else if (effect == "scheduled_impulses") {
         demand(done <= scene_.impulses.size(), pointer, "is more than the impulses of the scene");
+      } else if (effect == "gravity") {
+        demand(scene_.gravity.has_value() && done <= state_.k, pointer, "is more than the events of the run");
       } else {
         demand(false, pointer, "is no effect with events known in advance");
       }
@@ -225,9 +235,9 @@ class StateCheck {
   }
 
   void check_counts() {
-    static const std::set<std::string, std::less<>> kinds = {"rebound",     "retract",   "revolve",
-                                                             "break",       "restitute", "scheduled_impulse",
-                                                             "phase_begin", "phase_end"};
+    static const std::set<std::string, std::less<>> kinds = {
+        "rebound",        "retract",    "revolve", "break",       "restitute", "scheduled_impulse",
+        "random_impulse", "thermostat", "gravity", "phase_begin", "phase_end"};
     static const std::vector<std::string> counters = {"#noise", "#first_noise", "#zero_impulse",
                                                       "#largest_group"};
     std::uint64_t events = 0;

@@ -67,6 +67,10 @@ std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
     line.append(",\"dp\":");
     detail::append_vector<Scalar, D>(line, *record.dp);
   }
+  if (record.dv) {
+    line.append(",\"dv\":");
+    detail::append_vector<Scalar, D>(line, *record.dv);
+  }
   if (record.dp_stored) {
     line.append(",\"dp_stored\":");
     detail::append_vector<Scalar, D>(line, *record.dp_stored);

@@ -104,7 +104,8 @@ std::string content_of(const StateData& state, const Hex& t) {
 // Reading.
 
 constexpr std::uint64_t kMostId = INT32_MAX;
-/// Numbers of the widest scalar have 84 digits; but t is start_time + hi + lo, whose digits may lie far apart.
+/// Numbers of the widest scalar have 84 digits; but t is start_time + hi + lo, whose digits may lie far
+/// apart.
 constexpr std::size_t kLongestNumber = 2000;
 
 std::int32_t id_from(const Field& value) {

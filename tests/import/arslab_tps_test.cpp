@@ -125,10 +125,23 @@ TEST(ArslabTps, ThePageShowsTheExample) {
             std::string::npos);
 }
 
-TEST(ArslabTps, RandomImpulsesAreAnExplicitChoice) {
-  EXPECT_EQ(message_about(content(data_folder + "four_bodies.json")),
-            "f:2: /config/ri: found true: random impulses, which this version does not simulate; give "
-            "--without-random-impulses to import the rest of the file");
+TEST(ArslabTps, RandomImpulsesAreImportedUnlessDropped) {
+  const Scene scene = import_data("four_bodies.json").scene;
+  EXPECT_EQ(scene.species[0].random_impulses, (RandomImpulses{0.5, 2, 0.25}));
+  EXPECT_EQ(scene.species[1].random_impulses, (RandomImpulses{1, 2, 0.5}));
+  EXPECT_TRUE(reads_back(scene));
+  EXPECT_EQ(import_data("without_config.json").scene.species[0].random_impulses,
+            (RandomImpulses{0.2, 0.2, 0.2}));
+  EXPECT_EQ(import_data("four_bodies.json", without_impulses).scene.species[0].random_impulses, std::nullopt);
+  std::string file = content(data_folder + "four_bodies.json");
+  file.replace(file.find("\"tau\": 0.5, "), 12, "");
+  EXPECT_EQ(message_about(file),
+            "f:4: /species/bead: lacks tau; random impulses have tau, shape and mean; add it, or give "
+            "--without-random-impulses");
+  file = content(data_folder + "four_bodies.json");
+  file.replace(file.find("0.25"), 4, "-1");
+  EXPECT_EQ(message_about(file),
+            "f:4: /species/bead/mean: is -1; allowed: above 0, or give --without-random-impulses");
 }
 
 struct Wrong {

@@ -88,8 +88,6 @@ struct Refused {
 
 TEST(ImportVerb, SaysWhatIsWrong) {
   const Refused cases[] = {
-      {kFour, 3, "/config/ri: found true: random impulses"},
-      {TPS_SOURCE_DIR "/tests/import/data/without_config.json", 3, "config is missing"},
       {kData, 3, "directory"},
       {kData + "none.json", 3, "none.json"},
       {"/dev/null", 3, "/dev/null"},

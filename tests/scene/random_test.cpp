@@ -53,5 +53,46 @@ TEST(Random, NormalHasTheMomentsAndTailsOfTheNormalDistribution) {
   EXPECT_NEAR(beyond_two / double{kDraws}, 0.04550, error * std::sqrt(0.0455 * 0.9545));
 }
 
+// Four standard errors each: of x 1, of x² sqrt(20), of an indicator sqrt(p(1-p)).
+TEST(Random, ExponentialHasTheMomentsAndTailOfTheExponentialDistribution) {
+  constexpr int kDraws = 200000;
+  RandomStream stream{1, Purpose::random_impulse_wait, 0, 0, 0};
+  double first = 0, second = 0;
+  int beyond_two = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const double x = next_exponential(stream);
+    first += x;
+    second += x * x;
+    beyond_two += x > 2 ? 1 : 0;
+  }
+  const double error = 4 / std::sqrt(kDraws), p = std::exp(-2);
+  EXPECT_NEAR(first / kDraws, 1, error);
+  EXPECT_NEAR(second / kDraws, 2, error * std::sqrt(20.0));
+  EXPECT_NEAR(beyond_two / double{kDraws}, p, error * std::sqrt(p * (1 - p)));
+  EXPECT_NEAR(stream.n / double{kDraws}, std::exp(1) / (1 - std::exp(-1)), 0.1) << "draws a number";
+}
+
+// Mean and variance k; the fourth central moment is 3k² + 6k, so that x − k squared has variance 2k² + 6k.
+TEST(Random, GammaHasTheMomentsOfItsShape) {
+  constexpr int kDraws = 100000;
+  for (const double shape : {0.3, 0.9, 1.0, 2.5, 40.0}) {
+    RandomStream stream{1, Purpose::random_impulse, 0, 0, 0};
+    double first = 0, second = 0, logarithm = 0;
+    for (int i = 0; i < kDraws; ++i) {
+      const double x = next_gamma(stream, shape);
+      ASSERT_GE(x, 0);
+      first += x;
+      second += (x - shape) * (x - shape);
+      logarithm += std::log(x);
+    }
+    const double error = 4 / std::sqrt(kDraws);
+    EXPECT_NEAR(first / kDraws, shape, error * std::sqrt(shape)) << shape;
+    EXPECT_NEAR(second / kDraws, shape, error * std::sqrt(2 * shape * shape + 6 * shape)) << shape;
+    // ⟨ln x⟩ is the derivative of ln Γ, by a symmetric difference; its variance is below 1/k + 1/k².
+    const double digamma = (std::lgamma(shape + 1e-4) - std::lgamma(shape - 1e-4)) / 2e-4;
+    EXPECT_NEAR(logarithm / kDraws, digamma, error * std::sqrt(1 / shape + 1 / (shape * shape))) << shape;
+  }
+}
+
 }  // namespace
 }  // namespace tps

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "reference/scene/scene_source.hpp"
 #include "reference/text/json_pointer.hpp"
 #include "reference/text/nearest_name.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/schema_validator.hpp"
 #include "reference/text/schema_words.hpp"
 
@@ -55,6 +57,7 @@ class Importer {
     if (there("config")) {
       read_config(*root_.find("config"));
     } else if (root_.find("config") == nullptr) {
+      with_impulses_ = !options_.without_random_impulses;
       scene_.duration = options_.duration.value_or(built_in_runtime);
       if (!options_.duration) note_built_in_runtime("config");
     }
@@ -70,13 +73,9 @@ class Importer {
 
   void read_config(const JsonValue& config) {
     const bool random_impulses = *config.find("ri")->boolean();
-    if (random_impulses && !options_.without_random_impulses) {
-      source_.report("/config/ri",
-                     "found true: random impulses, which this version does not simulate; give "
-                     "--without-random-impulses to import the rest of the file");
-    } else if (random_impulses) {
+    with_impulses_ = random_impulses && !options_.without_random_impulses;
+    if (random_impulses && !with_impulses_)
       notes_.push_back("config.ri is true; the scene has no random impulses, as asked");
-    }
     const JsonValue* runtime = config.find("runtime");
     if (runtime == nullptr && !options_.duration) note_built_in_runtime("config.runtime");
     scene_.duration =
@@ -90,16 +89,28 @@ class Importer {
                     missing, built_in_runtime));
   }
 
-  /// Files of the first versions have no config: whatever species described random impulses had them.
-  void read_impulses_of_old_file() {
-    if (!options_.without_random_impulses) {
-      source_.report(
-          "/species",
-          "config is missing, as in files of the first versions of ARSLab_TPS, where species with tau, "
-          "shape and mean receive random impulses, which this version does not simulate; give "
-          "--without-random-impulses to import the rest of the file, or add "
-          "\"config\":{\"ri\":false}");
+  /// tau, shape and mean of a species, where the file asks for random impulses. Files of the first versions
+  /// have no config: whatever species described them had them.
+  std::optional<RandomImpulses> read_impulses(const JsonMember& species) {
+    const auto given = [&](const char* key) { return species.value.find(key) != nullptr; };
+    if (!with_impulses_ || !(given("tau") || given("shape") || given("mean"))) return std::nullopt;
+    RandomImpulses impulses;
+    for (const auto& [key, value] : {std::pair("tau", &impulses.tau), std::pair("shape", &impulses.shape),
+                                     std::pair("mean", &impulses.mean)}) {
+      const std::string at = "/species/" + escape_pointer_key(species.key);
+      if (!given(key)) {
+        source_.report(at, fmt::format("lacks {}; random impulses have tau, shape and mean; add it, or give "
+                                       "--without-random-impulses",
+                                       key));
+        continue;
+      }
+      *value = number(species.value, key);
+      if (!(*value > 0))
+        source_.report(at + "/" + key,
+                       fmt::format("is {}; allowed: above 0, or give --without-random-impulses",
+                                   write_shortest(*value)));
     }
+    return impulses;
   }
 
   bool has_too_many_species() {
@@ -121,11 +132,17 @@ class Importer {
       scene_.species.push_back({.name = member.key,
                                 .mass = number(member.value, "mass"),
                                 .radius = number(member.value, "radius"),
-                                .max_tethers = {}});
+                                .max_tethers = {},
+                                .random_impulses = read_impulses(member),
+                                .thermostat = {}});
       for (const char* key : {"tau", "shape", "mean"}) has_impulse_keys |= member.value.find(key) != nullptr;
     }
-    if (has_impulse_keys && root_.find("config") == nullptr) read_impulses_of_old_file();
-    if (has_impulse_keys) {
+    if (has_impulse_keys && with_impulses_) {
+      notes_.push_back(
+          "tau, shape and mean are taken as mean waiting time, and shape and mean of the magnitude, of "
+          "random "
+          "impulses; the draws are our generator's; --without-random-impulses drops them");
+    } else if (has_impulse_keys) {
       notes_.push_back("tau, shape and mean of the species are dropped: they describe random impulses");
     }
   }
@@ -235,6 +252,7 @@ class Importer {
   SceneSource source_;
   Scene scene_;
   std::vector<std::string> notes_;
+  bool with_impulses_ = false;
   std::vector<std::string> names_;  ///< of the species, in the order of the file
   const JsonMember* first_ = nullptr;
 };

@@ -33,8 +33,7 @@ constexpr std::size_t max_species_name = 200;  ///< bytes
 /// The scene of a scenario. Ids, names and numbers are kept; every pair of species whose radii have a sum
 /// above 0 gets a blocking law at that sum, correctly rounded.
 /// (1) read_scene_text(write_scene(import_scenario(d, o).scene)) == import_scenario(d, o).scene.
-/// Throws InputError with everything that is wrong, in terms of the imported file; random impulses are wrong
-/// unless the options drop them.
+/// Throws InputError with everything that is wrong, in terms of the imported file.
 ImportedScene import_scenario(JsonDocument document, const ImportOptions& options);
 
 }  // namespace tps::arslab

@@ -4,12 +4,14 @@
 
 #include <stdexcept>
 
+#include "verify/scenes/brownian.hpp"
 #include "verify/scenes/chain.hpp"
 #include "verify/scenes/cradle.hpp"
 #include "verify/scenes/galperin.hpp"
 #include "verify/scenes/gas.hpp"
 #include "verify/scenes/pair.hpp"
 #include "verify/scenes/ring.hpp"
+#include "verify/scenes/sediment.hpp"
 #include "verify/scenes/sheet.hpp"
 #include "verify/scenes/terminal.hpp"
 #include "verify/scenes/three_body.hpp"
@@ -19,8 +21,9 @@ namespace tps {
 
 const std::vector<SceneBuilder>& scene_builders() {
   static const std::vector<SceneBuilder> builders{
-      terminal_builder(), chain_builder(), sheet_builder(),  three_body_builder(),  galperin_builder(),
-      gas_builder(),      pair_builder(),  cradle_builder(), two_anchors_builder(), ring_builder(),
+      terminal_builder(),    chain_builder(), sheet_builder(),    three_body_builder(),
+      galperin_builder(),    gas_builder(),   pair_builder(),     cradle_builder(),
+      two_anchors_builder(), ring_builder(),  brownian_builder(), sediment_builder(),
   };
   return builders;
 }

@@ -64,6 +64,8 @@ class Checker {
   std::vector<int> changing(const EventLine<Number>& event) const;
   void follow(const EventLine<Number>& event);
   void follow_load(const EventLine<Number>& event);
+  void follow_gravity(const EventLine<Number>& event);
+  void count_draw(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
   W speeds_of(int i, int j) const;
   void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
@@ -78,9 +80,10 @@ class Checker {
   Neighbours neighbours_;
   std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
   StepNumber step_ = 0;
-  std::vector<StepNumber> changed_at_;        ///< the step in which a particle began its flight; walls: none
-  StepNumber phase_at_ = 0, impulse_at_ = 0;  ///< the step of the last one
-  std::vector<std::size_t> looks_;            ///< at others, by particle, while anchors are renewed
+  std::vector<StepNumber> changed_at_;  ///< the step in which a particle began its flight; walls: none
+  StepNumber phase_at_ = 0;             ///< the step of the last one
+  std::map<std::pair<Kind, int>, StepNumber> kick_at_;  ///< likewise; of random ones by particle, else −1
+  std::vector<std::size_t> looks_;                      ///< at others, by particle, while anchors are renewed
   bool earliest_held_ = true, bounds_held_ = true;
   /// What has been said about pairs, by particle, during its present flight.
   std::vector<std::map<int, Told>> told_;

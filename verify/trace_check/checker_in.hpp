@@ -55,11 +55,14 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
     turn.t = event.t;
     return turn;
   }
-  if (is_phase(event.kind) || event.kind == Kind::scheduled_impulse) {
-    const bool is_known = is_phase(event.kind) ? model_.phases_done < model_.phase_changes.size()
-                                               : model_.impulses_done < model_.impulses.size();
-    if (!is_known) return known_turn(c, event.t, rank(event.kind));
-    Turn<Number> turn = is_phase(event.kind) ? turn_of_phase(c) : turn_of_impulse(c);
+  if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) {
+    Turn<Number> turn = turn_of_phase(c);
+    turn.t = event.t;
+    return turn;
+  }
+  if (is_outside(event.kind)) {
+    const std::optional<OutsideKick> kick = next_kick(c, event.kind);
+    Turn<Number> turn = kick ? turn_of_kick(c, event.kind, *kick) : known_turn(c, event.t, rank(event.kind));
     turn.t = event.t;
     return turn;
   }
@@ -91,14 +94,19 @@ void Checker<Number>::take_turn(const EventLine<Number>& event) {
   const auto changed_at = [this](int i) { return i < 0 ? StepNumber(0) : changed_at_[Model<Number>::at(i)]; };
   StepNumber since = std::max(changed_at(turn.first), changed_at(turn.second));
   if (is_phase(event.kind)) since = std::exchange(phase_at_, step_);
-  if (event.kind == Kind::scheduled_impulse) since = std::exchange(impulse_at_, step_);
+  if (is_outside(event.kind)) {
+    const bool is_random = is_kick(event.kind) &&
+                           event.kind != Kind::scheduled_impulse;  // each particle's own waits from its last
+    since = std::exchange(kick_at_[{event.kind, is_random ? event.i : -1}], step_);
+  }
   if (event.t < model_.now) turns_.forget();
   judge_turn(c, event, turn, turns_.latest_since(since));
   turns_.happened(step_, turn);
   judge_known_events(c, event, turn);
 }
 
-/// Who begins a new flight at an event: those listed; at a restitution both sides of the node.
+/// Who begins a new flight at an event: those listed; at a restitution both sides of the node, under gravity
+/// everybody.
 template <typename Number>
 std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const {
   std::set<int> all;
@@ -106,6 +114,11 @@ std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const
   if (event.kind == Kind::restitute) {
     if (const Body<Number>* body = model_.groups.with_root(event.i, event.j)) {
       all.insert(body->members.begin(), body->members.end());
+    }
+  }
+  if (event.kind == Kind::gravity) {
+    for (int i = 0; i < model_.size(); ++i) {
+      if (!model_.fixed(i)) all.insert(i);
     }
   }
   return {all.begin(), all.end()};
@@ -163,10 +176,11 @@ void Checker<Number>::take(const EventLine<Number>& event) {
     judge_members(c, event, false, Expected<W>{});
     judge_restitution(c, event, *bodies_);
   }
-  if (event.kind == Kind::scheduled_impulse) {
+  if (is_kick(event.kind)) {
     judge_members(c, event, false, Expected<W>{});
-    judge_scheduled_impulse(c, event);
+    judge_kick(c, event);
   }
+  if (event.kind == Kind::gravity) judge_gravity(c, event);
   if (is_phase(event.kind)) judge_phase(c, event);
 
   earliest_held_ = bounds_held_ = true;

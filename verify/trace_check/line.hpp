@@ -1,10 +1,12 @@
 // Lines of a trace as the check sees them: particles are places in the scene, numbers are exact.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,15 +15,44 @@
 
 namespace tps::check {
 
-enum class Kind { rebound, retract, revolve, broken, restitute, scheduled_impulse, phase_begin, phase_end };
+enum class Kind {
+  rebound,
+  retract,
+  revolve,
+  broken,
+  restitute,
+  scheduled_impulse,
+  random_impulse,
+  thermostat,
+  gravity,
+  phase_begin,
+  phase_end,
+};
+
+/// As traces call them, in the order of the enumerators.
+constexpr std::string_view kKindNames[] = {"rebound",   "retract",           "revolve",        "break",
+                                           "restitute", "scheduled_impulse", "random_impulse", "thermostat",
+                                           "gravity",   "phase_begin",       "phase_end"};
 
 constexpr std::string_view name(Kind kind) {
-  constexpr std::string_view names[] = {"rebound",   "retract",           "revolve",     "break",
-                                        "restitute", "scheduled_impulse", "phase_begin", "phase_end"};
-  return names[static_cast<int>(kind)];
+  return kKindNames[static_cast<int>(kind)];
 }
 constexpr bool is_collision(Kind kind) {
   return kind <= Kind::broken;
+}
+/// The same for sentences: "scheduled impulse".
+inline std::string words(Kind kind) {
+  std::string text(name(kind));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+/// An impulse from outside on one particle.
+constexpr bool is_kick(Kind kind) {
+  return kind >= Kind::scheduled_impulse && kind <= Kind::thermostat;
+}
+/// What comes from outside at a time that is known in advance.
+constexpr bool is_outside(Kind kind) {
+  return is_kick(kind) || kind == Kind::gravity;
 }
 constexpr bool is_phase(Kind kind) {
   return kind >= Kind::phase_begin;
@@ -44,7 +75,7 @@ struct EventLine {
   int i = -1, j = -1;
   std::optional<int> phase;
   std::vector<InvolvedParticle<Number>> involved;
-  std::optional<Vec<Number>> dp, dp_stored;
+  std::optional<Vec<Number>> dp, dp_stored, dv;
   std::optional<bool> formed;  ///< true: a tether formed, false: it broke
   std::optional<double> draw;
   std::vector<int> members;

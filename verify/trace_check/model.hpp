@@ -9,6 +9,7 @@
 #include "reference/scene/random.hpp"
 #include "verify/trace_check/group_model.hpp"
 #include "verify/trace_check/line.hpp"
+#include "verify/trace_check/outside_kicks.hpp"
 #include "verify/trace_check/pair_rules.hpp"
 
 namespace tps::check {
@@ -60,8 +61,8 @@ class Model {
   std::vector<std::set<int>> tethers;  ///< formed or listed, by particle
   GroupModel<Number> groups;
   std::vector<PhaseChange> phase_changes;  ///< in their order
-  std::vector<ScheduledImpulse> impulses;  ///< in their order
-  std::size_t phases_done = 0, impulses_done = 0;
+  OutsideKicks kicks;
+  std::size_t phases_done = 0;
   std::map<std::array<int, 3>, std::uint32_t> draws;
   std::map<std::string, std::uint64_t> kinds;
   std::uint64_t events = 0;
@@ -169,7 +170,7 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
       rules(scene_in, precision_in),
       tethers(scene_in.particles.size()),
       groups(scene_in.particles.size()),
-      impulses(scene_in.impulses),
+      kicks(scene_in),
       responded_(scene_in.particles.size()),
       phase_is_open_(scene_in.phases.size(), false) {
   const auto lifted = [&](const Coordinates& x) {
@@ -194,10 +195,6 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   std::sort(phase_changes.begin(), phase_changes.end(), [](const PhaseChange& a, const PhaseChange& b) {
     return std::tie(a.at, a.opens, a.phase) < std::tie(b.at, b.opens, b.phase);
   });
-  std::stable_sort(impulses.begin(), impulses.end(),
-                   [](const ScheduledImpulse& a, const ScheduledImpulse& b) {
-                     return std::tie(a.at, a.particle) < std::tie(b.at, b.particle);
-                   });
 }
 
 template <typename Number>

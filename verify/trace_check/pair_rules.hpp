@@ -22,6 +22,13 @@ template <typename Number>
   return Number(x);
 }
 
+/// The sum of two numbers of the scalar, rounded once as the scalar rounds.
+template <typename Number>
+Number sum_in_scalar(const Number& x, const Number& y, const Precision<Number>& precision) {
+  if constexpr (std::is_same_v<Number, double>) return stored<double>(x + y, precision);
+  return reading(Instant<Number>{Number(x + y), Number(0)}, precision);
+}
+
 template <typename Number>
 struct PairRules {
   bool blocks = false;

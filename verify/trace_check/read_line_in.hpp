@@ -11,9 +11,9 @@
 namespace tps::check {
 
 inline const std::vector<std::string>& event_keys() {
-  static const std::vector<std::string> keys = {"k",         "t",      "dt",   "kind",   "i",
-                                                "j",         "phase",  "pre",  "post",   "dp",
-                                                "dp_stored", "tether", "draw", "members"};
+  static const std::vector<std::string> keys = {"k",         "t",     "dt",     "kind", "i",
+                                                "j",         "phase", "pre",    "post", "dp",
+                                                "dp_stored", "dv",    "tether", "draw", "members"};
   return keys;
 }
 
@@ -56,10 +56,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
     for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
       if (name(static_cast<Kind>(n)) == text) return static_cast<Kind>(n);
     }
-    problem("kind",
-            fmt::format("\"{}\" is not a kind of event; allowed are rebound, retract, revolve, break, "
-                        "restitute, scheduled_impulse, phase_begin, phase_end",
-                        text.substr(0, 60)));
+    problem("kind", fmt::format("\"{}\" is not a kind of event; allowed are {}", text.substr(0, 60),
+                                fmt::join(kKindNames, ", ")));
   }
 
   EventLine<Number> event(const dom::object& line) {
@@ -90,6 +88,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
       if (key == "phase")
         event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
       if (key == "dp") event.dp = vector(value, at);
+      if (key == "dv") event.dv = vector(value, at);
       if (key == "dp_stored") event.dp_stored = vector(value, at);
       if (key == "tether") event.formed = formed(text(value, at));
       if (key == "draw") event.draw = draw(value, at);
@@ -207,10 +206,13 @@ class LineReading<Number>::Json : private LineValues<Number> {
     }
     need(e.phase.has_value() || !is_phase(e.kind), "phase", e.kind);
     forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
-    forbid(e.i >= 0 && is_phase(e.kind), "i", e.kind);
-    forbid(!e.involved.empty() && is_phase(e.kind), "post", e.kind);
-    if (is_phase(e.kind)) return;
-    const bool alone = e.kind == Kind::scheduled_impulse;
+    need(e.dv.has_value() || e.kind != Kind::gravity || minimal(), "dv", e.kind);
+    forbid(e.dv.has_value() && e.kind != Kind::gravity, "dv", e.kind);
+    const bool of_nobody = is_phase(e.kind) || e.kind == Kind::gravity;
+    forbid(e.i >= 0 && of_nobody, "i", e.kind);
+    forbid(!e.involved.empty() && of_nobody, "post", e.kind);
+    if (of_nobody) return;
+    const bool alone = is_kick(e.kind);
     need(e.i >= 0, "i", e.kind);
     need(e.j >= 0 || alone, "j", e.kind);
     forbid(e.j >= 0 && alone, "j", e.kind);

@@ -34,8 +34,8 @@ inline std::optional<double> number_of<double>(std::string_view text) {
   return hex.value;
 }
 
-/// The number that a time on the scene's clock is after start_time. The difference is formed exactly: beside a
-/// late start a sum hi + lo has more digits than a Number.
+/// The number that a time on the scene's clock is after start_time. The difference is formed exactly: beside
+/// a late start a sum hi + lo has more digits than a Number.
 template <typename Number>
 Instant<Number> instant_of(const HexDigits& digits, double start_time) {
   using boost::multiprecision::cpp_int;

@@ -17,7 +17,10 @@ namespace tps::check {
 constexpr int rank(Kind kind) {
   if (kind == Kind::restitute) return 0;
   if (is_phase(kind)) return 1;
-  return kind == Kind::scheduled_impulse ? 2 : 3;
+  if (kind == Kind::scheduled_impulse) return 2;
+  if (kind == Kind::gravity) return 3;
+  if (kind == Kind::random_impulse) return 4;
+  return kind == Kind::thermostat ? 5 : 6;
 }
 
 /// What decides when something comes: its exact moment under certified timing, else its computed time; at one
@@ -26,7 +29,7 @@ template <typename Number>
 struct Turn {
   Instant<Number> t;             ///< computed, which is what a trace records
   std::optional<Moment> moment;  ///< under certified timing
-  int rank = 3;
+  int rank = 6;
   int first = -1, second = -1;  ///< particles; of a body twice its first one, of what concerns nobody −1
 };
 

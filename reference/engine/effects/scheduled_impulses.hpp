@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/outside_impulse.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps::effects {
@@ -30,12 +31,7 @@ class ScheduledImpulses final : public Effect<Scalar, D> {
     const ScheduledImpulse& impulse = impulses_[done_++];
     const Vector<Scalar, D> J = lifted<Scalar, D>(impulse.impulse);
     Record<Scalar, D> record = world.open_record("scheduled_impulse", impulse.particle, impulse.particle);
-    record.dp = J;
-    const Scalar body_mass = world.coupling->body_mass(world, impulse.particle);
-    const Vector<Scalar, D> v = world.velocity(impulse.particle) - world.frame_velocity();
-    world.ledger.work += J.dot(v) + J.squaredNorm() / body_mass / Scalar(2);
-    world.ledger.add_from_outside(J);
-    world.coupling->push(world, impulse.particle, J, record);
+    push_from_outside(world, impulse.particle, J, record);
     world.close_record(record);
     queue_next(world);
   }

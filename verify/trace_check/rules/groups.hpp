@@ -65,7 +65,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   const Model<Number>& model = c.model;
   const bool loads = is_load(c, event, expected);
   const bool with_wall = loads && (model.fixed(event.i) || model.fixed(event.j));
-  const bool whole_bodies = loads || event.kind == Kind::scheduled_impulse;
+  const bool whole_bodies = loads || is_kick(event.kind);
   std::vector<int> moving;
   for (const int side : {event.i, event.j}) {
     if (side < 0) continue;

@@ -31,10 +31,17 @@ Turn<Number> turn_of_phase(const Context<Number>& c) {
   const double at = c.model.phase_changes[c.model.phases_done].at;
   return known_turn(c, known_time<Number>(at, c.model.precision), rank(Kind::phase_begin));
 }
+/// The next impulse of a kind from outside; nothing where there is none, or where another generator than ours
+/// decides.
 template <typename Number>
-Turn<Number> turn_of_impulse(const Context<Number>& c) {
-  const double at = c.model.impulses[c.model.impulses_done].at;
-  return known_turn(c, known_time<Number>(at, c.model.precision), rank(Kind::scheduled_impulse));
+std::optional<OutsideKick> next_kick(const Context<Number>& c, Kind kind) {
+  const bool is_random = kind == Kind::random_impulse || kind == Kind::thermostat;
+  if (is_random && !c.own_draws) return std::nullopt;
+  return c.model.kicks.next(kind);
+}
+template <typename Number>
+Turn<Number> turn_of_kick(const Context<Number>& c, Kind kind, const OutsideKick& kick) {
+  return known_turn(c, known_time<Number>(kick.at, c.model.precision), rank(kind));
 }
 
 /// What is known in advance and has been passed over by something. `is_due(turn, error)` decides, where the
@@ -70,9 +77,12 @@ void judge_waiting(const Context<Number>& c, std::optional<Kind> now, const Body
          judge(turn_of_phase(c), "phase change")) {
     model.apply_phase_change();
   }
-  while (now != Kind::scheduled_impulse && model.impulses_done < model.impulses.size() &&
-         judge(turn_of_impulse(c), "scheduled impulse")) {
-    ++model.impulses_done;
+  for (const Kind kind : {Kind::scheduled_impulse, Kind::random_impulse, Kind::thermostat, Kind::gravity}) {
+    if (now == kind) continue;
+    for (auto kick = next_kick(c, kind); kick && judge(turn_of_kick(c, kind, *kick), words(kind).c_str());
+         kick = next_kick(c, kind)) {
+      model.kicks.take(kind);
+    }
   }
 }
 

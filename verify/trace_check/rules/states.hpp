@@ -240,8 +240,11 @@ class StateJudge {
       const auto found = s.progress.find(effect);
       return found == s.progress.end() ? std::uint64_t{0} : found->second;
     };
-    expect(done("phases") == model_.phases_done && done("scheduled_impulses") == model_.impulses_done,
-           "the progress of phases or scheduled impulses is not that of the events");
+    expect(
+        done("phases") == model_.phases_done && done("scheduled_impulses") == model_.kicks.scheduled_done(),
+        "the progress of phases or scheduled impulses is not that of the events");
+    expect(done("gravity") == model_.kicks.gravity_done(),
+           "the progress of gravity is not that of the events");
   }
 
   const Context<Number>& c_;

@@ -1,0 +1,96 @@
+// What random impulses and the thermostat have in common: kicks on single particles at times that the scene
+// knows in advance.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/engine/effect.hpp"
+#include "reference/engine/outside_impulse.hpp"
+#include "reference/engine/world.hpp"
+#include "reference/scene/random_kicks.hpp"
+
+namespace tps {
+
+/// Each particle that is kicked has one event ahead, which no change of a particle voids. How many it has had
+/// is kept where draws are counted, so that a resumed run goes on with the next.
+template <typename Scalar, int D>
+class PoissonKicks : public Effect<Scalar, D> {
+ public:
+  PoissonKicks(std::string_view kind, Rank rank, Purpose purpose)
+      : kind_(kind), rank_(rank), purpose_(purpose) {}
+
+  void begin(World<Scalar, D>&, int self) override { self_ = self; }
+
+  void queue_known(World<Scalar, D>& world) override {
+    times_.clear();
+    for (int i = 0; i < world.size(); ++i) {
+      const Particle& particle = world.scene.particles[world.index(i)];
+      const double tau = mean_wait(world.scene.species[world.index(particle.species)]);
+      if (tau == 0) continue;
+      times_.emplace_back(PoissonTimes(world.scene.seed, wait_purpose(), particle.id, tau));
+      of_.resize(world.particles.size(), 0);
+      of_[world.index(i)] = times_.size() - 1;
+      while (times_.back().done() < count(world, i)) times_.back().advance();
+      queue_next(world, i);
+    }
+  }
+
+  void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
+    const int i = event.detail;
+    Record<Scalar, D> record = world.open_record(kind_, i, i);
+    const Vector<Scalar, D> J = impulse(world, i, ++count(world, i));
+    push_from_outside(world, i, J, record);
+    world.close_record(record);
+    times_[of_[world.index(i)]].advance();
+    queue_next(world, i);
+  }
+
+ protected:
+  /// τ of a species that this effect kicks, else 0.
+  virtual double mean_wait(const Species& species) const = 0;
+  virtual Vector<Scalar, D> impulse(const World<Scalar, D>& world, int i, std::uint32_t n) const = 0;
+
+ private:
+  Purpose wait_purpose() const { return static_cast<Purpose>(static_cast<std::uint32_t>(purpose_) + 1); }
+
+  std::uint32_t& count(World<Scalar, D>& world, int i) const {
+    const std::int32_t id = world.scene.particles[world.index(i)].id;
+    return world.draws[{static_cast<int>(purpose_), id, id}];
+  }
+
+  void queue_next(World<Scalar, D>& world, int i) {
+    const Scalar t = Scalar(times_[of_[world.index(i)]].next());
+    world.queue.push(world.pending({t, Scalar(0)}, rank_, -1, -1, i, self_));
+  }
+
+  std::string_view kind_;
+  Rank rank_;
+  Purpose purpose_;
+  std::vector<PoissonTimes> times_;
+  std::vector<std::size_t> of_;  ///< place in times_ of a particle that is kicked
+  int self_ = 0;
+};
+
+/// "species A", of those that call for an effect.
+template <typename Calls>
+std::vector<std::string> species_that(const Scene& scene, Calls calls) {
+  std::vector<std::string> names;
+  for (const Species& species : scene.species) {
+    if (calls(species)) names.push_back("species " + species.name);
+  }
+  return names;
+}
+
+/// How many particles are of species that call for an effect.
+template <typename Calls>
+std::uint64_t particles_that(const Scene& scene, Calls calls) {
+  std::uint64_t count = 0;
+  for (const Particle& p : scene.particles)
+    count += calls(scene.species[static_cast<std::size_t>(p.species)]);
+  return count;
+}
+
+}  // namespace tps

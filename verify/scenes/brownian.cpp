@@ -1,0 +1,36 @@
+#include "verify/scenes/brownian.hpp"
+
+#include "verify/scenes/gas.hpp"
+
+namespace tps {
+
+Scene build_brownian(const BrownianParams& params) {
+  GasParams gas;
+  gas.particles = params.particles;
+  gas.density = params.density;
+  gas.temperature = 0;
+  gas.restitution = params.restitution;
+  gas.duration = params.duration;
+  gas.seed = params.seed;
+  Scene scene = build_gas(gas);
+  scene.title = "Vesicles moved by random impulses";
+  scene.species[1].random_impulses = RandomImpulses{params.tau, params.shape, params.mean};
+  return scene;
+}
+
+SceneBuilder brownian_builder() {
+  using P = BrownianParams;
+  return make_builder<P>(
+      "brownian", "vesicles in a spherical membrane that random impulses keep moving",
+      {{"particles", &P::particles, from_to(1, 100000), "vesicles"},
+       {"density", &P::density, from_to(1e-6, 1), "vesicles over the volume of the membrane"},
+       {"tau", &P::tau, above(0), "mean waiting time of a vesicle between two impulses"},
+       {"shape", &P::shape, above(0), "of the gamma distribution of magnitudes"},
+       {"mean", &P::mean, above(0), "of the magnitudes; a vesicle has mass 1"},
+       {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two vesicles"},
+       {"duration", &P::duration, above(0), "time simulated"},
+       {"seed", &P::seed, {}, "of the impulses"}},
+      &build_brownian);
+}
+
+}  // namespace tps
