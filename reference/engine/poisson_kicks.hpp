@@ -2,6 +2,7 @@
 // knows in advance.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ class PoissonKicks : public Effect<Scalar, D> {
       times_.emplace_back(PoissonTimes(world.scene.seed, wait_purpose(), particle.id, tau));
       of_.resize(world.particles.size(), 0);
       of_[world.index(i)] = times_.size() - 1;
-      while (times_.back().done() < count(world, i)) times_.back().advance();
+      while (times_.back().done() < done(world, i)) times_.back().advance();
       queue_next(world, i);
     }
   }
@@ -41,7 +42,7 @@ class PoissonKicks : public Effect<Scalar, D> {
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
     const int i = event.detail;
     Record<Scalar, D> record = world.open_record(kind_, i, i);
-    const Vector<Scalar, D> J = impulse(world, i, ++count(world, i));
+    const Vector<Scalar, D> J = impulse(world, i, ++world.draws[stream(world, i)]);
     push_from_outside(world, i, J, record);
     world.close_record(record);
     times_[of_[world.index(i)]].advance();
@@ -56,9 +57,13 @@ class PoissonKicks : public Effect<Scalar, D> {
  private:
   Purpose wait_purpose() const { return static_cast<Purpose>(static_cast<std::uint32_t>(purpose_) + 1); }
 
-  std::uint32_t& count(World<Scalar, D>& world, int i) const {
+  std::array<int, 3> stream(const World<Scalar, D>& world, int i) const {
     const std::int32_t id = world.scene.particles[world.index(i)].id;
-    return world.draws[{static_cast<int>(purpose_), id, id}];
+    return {static_cast<int>(purpose_), id, id};
+  }
+  std::uint32_t done(const World<Scalar, D>& world, int i) const {
+    const auto found = world.draws.find(stream(world, i));
+    return found == world.draws.end() ? 0 : found->second;
   }
 
   void queue_next(World<Scalar, D>& world, int i) {

@@ -233,7 +233,7 @@ class StateJudge {
     expect(s.draws.size() == draws.size() && draws == model_.draws,
            "the numbers of draws are not those of the events");
     for (const auto& [effect, ignored] : s.progress) {
-      expect(effect == "phases" || effect == "scheduled_impulses",
+      expect(effect == "phases" || effect == "scheduled_impulses" || effect == "gravity",
              fmt::format("\"{}\" is no effect with events known in advance", effect.substr(0, 60)));
     }
     const auto done = [&](const char* effect) {
