@@ -8,7 +8,7 @@ Scene build_brownian(const BrownianParams& params) {
   GasParams gas;
   gas.particles = params.particles;
   gas.density = params.density;
-  gas.temperature = 0;
+  gas.temperature = params.temperature;
   gas.restitution = params.restitution;
   gas.duration = params.duration;
   gas.seed = params.seed;
@@ -24,12 +24,13 @@ SceneBuilder brownian_builder() {
       "brownian", "vesicles in a spherical membrane that random impulses keep moving",
       {{"particles", &P::particles, from_to(1, 100000), "vesicles"},
        {"density", &P::density, from_to(1e-6, 1), "vesicles over the volume of the membrane"},
+       {"temperature", &P::temperature, from_to(0, 1e6), "kT of the start velocities"},
        {"tau", &P::tau, above(0), "mean waiting time of a vesicle between two impulses"},
        {"shape", &P::shape, above(0), "of the gamma distribution of magnitudes"},
        {"mean", &P::mean, above(0), "of the magnitudes; a vesicle has mass 1"},
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two vesicles"},
        {"duration", &P::duration, above(0), "time simulated"},
-       {"seed", &P::seed, {}, "of the impulses"}},
+       {"seed", &P::seed, {}, "of start velocities and impulses"}},
       &build_brownian);
 }
 

@@ -11,6 +11,7 @@ namespace tps {
 struct BrownianParams {
   int particles = 100;
   double density = 0.2;
+  double temperature = 0.1;
   double tau = 0.5;
   double shape = 2;
   double mean = 0.5;
@@ -19,7 +20,7 @@ struct BrownianParams {
   std::uint64_t seed = 1;
 };
 
-/// At rest at first; what random impulses bring in, inelastic collisions take out.
+/// Nearly at rest at first; what random impulses bring in, inelastic collisions take out.
 Scene build_brownian(const BrownianParams& params);
 SceneBuilder brownian_builder();
 

@@ -55,8 +55,9 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
     turn.t = event.t;
     return turn;
   }
-  if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) {
-    Turn<Number> turn = turn_of_phase(c);
+  if (is_phase(event.kind)) {
+    const bool is_known = model_.phases_done < model_.phase_changes.size();
+    Turn<Number> turn = is_known ? turn_of_phase(c) : known_turn(c, event.t, rank(event.kind));
     turn.t = event.t;
     return turn;
   }
