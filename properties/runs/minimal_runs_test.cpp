@@ -107,7 +107,10 @@ TEST(MinimalRuns, ABrokenMomentumIsFound) {
 
 TEST(MinimalRuns, WithoutTheCheckNoLawHolds) {
   MinimalSimulator honest(false);
-  for (const RunLaw& law : run_laws()) EXPECT_TRUE(fails(law, honest, nullptr)) << law.name;
+  for (const RunLaw& law : run_laws()) {
+    if (law.name == std::string("Detectors")) continue;  // compares runs of the reference, not this one
+    EXPECT_TRUE(fails(law, honest, nullptr)) << law.name;
+  }
 }
 
 TEST(MinimalRuns, LinesThatAreNoneAreNotPassedOver) {

@@ -205,8 +205,8 @@ TEST(ArslabTps, SaysEverythingAtOnce) {
   text = replaced(text, "\"2\":", "\"two\":");
   text = replaced(text, "\"block\"}", "\"bloc\"}");
   const std::string message = message_about(text);
-  for (const char* place : {"f:4: /species/ball/mass: ", "f:9: /particles/two: ",
-                            "f:10: /particles/10/species: "}) {
+  for (const char* place :
+       {"f:4: /species/ball/mass: ", "f:9: /particles/two: ", "f:10: /particles/10/species: "}) {
     EXPECT_NE(message.find(place), std::string::npos) << place << " is not in\n" << message;
   }
 }

@@ -69,8 +69,10 @@ std::string first_finding(const check::CheckReport& report) {
 
 TEST(OutsideKicks, HonestRunsConform) {
   std::uint64_t kicks = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
     for (const char* scalar : {"float", "double", "long-double", "quad", "mp50"}) {
+      const bool is_wide = scalar != std::string("float") && scalar != std::string("double");
+      if (is_wide && seed > 2) continue;
       for (const Timing timing : {Timing::stable, Timing::certified}) {
         certified::ExactTiming certifier;
         const testing::TracedRun run = honest(busy(seed, seed % 4 == 0), scalar, timing, certifier);
