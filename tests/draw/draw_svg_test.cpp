@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <regex>
+#include <set>
 #include <stdexcept>
 
 #include "reference/scene/clusters.hpp"
