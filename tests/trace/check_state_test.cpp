@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <string>
 
 #include "reference/run/run.hpp"
 #include "reference/text/hexfloat.hpp"
@@ -21,7 +22,9 @@ std::vector<StateData> states_of(const Scene& scene, ScalarKind scalar, std::uin
   options.scalar = scalar;
   options.max_events = events;
   options.state_every = 5;
-  options.trace = (std::filesystem::path(::testing::TempDir()) / "check_state.ndjson").string();
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  options.trace =
+      (std::filesystem::path(::testing::TempDir()) / ("check_state_" + test + ".ndjson")).string();
   run_scene(scene, options);
   std::vector<StateData> states;
   std::ifstream in(options.trace);
