@@ -61,6 +61,8 @@ PAIRS = [
     ("run --resume trace -q -o {a} --checkpoint {b}", "new"),
     ("check {a} -o {b}", "trace"),
     ("check {a} --witness {b}", "trace"),
+    ("check {a} --view {b}", "trace"),
+    ("view {a} -o {b}", "trace"),
     ("check trace --scene {a} -o {b}", "scene"),
     ("check trace --scene {a} --witness {b}", "scene"),
     ("check trace -o {a} --witness {b}", "new"),

@@ -11,7 +11,7 @@ import sys
 
 from conclude import conclude
 
-FOLDERS = ("reference", "verify", "properties", "tests", "docs", "data")
+FOLDERS = ("reference", "verify", "properties", "tests", "docs", "data", "site")
 PAGES = ("*.md", "docs/*.md", "data/*.md")
 SOURCES = (".hpp", ".cpp", ".h", ".c", ".in", ".py", ".txt", ".json", ".md")
 LINK = re.compile(r"(?<!`)\[[^\]]*\]\(([^)\s]+)\)")

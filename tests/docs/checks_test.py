@@ -48,7 +48,7 @@ def copy_of(root, target):
         shutil.copy(root / name, target)
     for name in ("docs", "reference", "properties"):
         shutil.copytree(root / name, target / name)
-    for name in ("verify", "tests", "data"):
+    for name in ("verify", "tests", "data", "site"):
         (target / name).symlink_to(root / name)
 
 

@@ -2,6 +2,8 @@
 #include "reference/run/run_scalar.hpp"
 #include "verify/cli/not_built.hpp"
 #include "verify/trace_check/witness.hpp"
+#include "verify/view/checked_page.hpp"
+#include "verify/view/page.hpp"
 
 namespace tps {
 
@@ -17,6 +19,14 @@ RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
 
 std::string check::witness_cases(const CheckReport&) {
   throw cli::NotBuilt("--witness");
+}
+
+void view::require_viewer() {
+  throw cli::NotBuilt("--view");
+}
+
+std::string view::checked_page(const std::string&, const std::string&, const check::CheckReport&) {
+  throw cli::NotBuilt("--view");
 }
 
 }  // namespace tps

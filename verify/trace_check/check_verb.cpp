@@ -15,6 +15,8 @@
 #include "verify/cli/write_result.hpp"
 #include "verify/trace_check/check.hpp"
 #include "verify/trace_check/witness.hpp"
+#include "verify/view/checked_page.hpp"
+#include "verify/view/page.hpp"
 
 namespace tps::cli {
 namespace {
@@ -24,6 +26,7 @@ struct CheckArguments {
   std::string format = "text";
   std::string output = "-";
   std::string witness;
+  std::string view;
   bool quiet = false;
   check::CheckOptions options;
 };
@@ -53,15 +56,26 @@ check::CheckReport judged(CheckArguments& a) {
   return check::check_trace(a.trace, a.options);
 }
 
+/// Before anything is judged: whether the page can be made.
+void require_page(const CheckArguments& a) {
+  view::require_viewer();
+  if (a.trace == "-") {
+    throw CLI::ValidationError(
+        "--view", "the page reads the trace a second time, which standard input does not allow; name a file");
+  }
+}
+
 int run_check(CheckArguments& a) {
   NamedFiles()
       .reads("trace", a.trace)
       .reads("--scene", a.options.scene)
       .writes("-o", a.output)
       .writes("--witness", a.witness)
+      .writes("--view", a.view)
       .require_distinct();
   // Of no report: a program that cannot write them says so before it judges.
   if (!a.witness.empty()) static_cast<void>(check::witness_cases({}));
+  if (!a.view.empty()) require_page(a);
   a.options.interrupt = &interrupt::flag();
   const check::CheckReport report = judged(a);
   const std::string text = a.format == "json"    ? check::report_json(report)
@@ -70,6 +84,7 @@ int run_check(CheckArguments& a) {
   write_result(a.output, text);
   if (!a.witness.empty()) write_witness(a.witness, report);
   if (report.interrupted) return kInterrupted;
+  if (!a.view.empty()) write_result(a.view, view::checked_page(a.trace, a.options.scene, report));
   if (!report.conforming()) return kViolation;
   return report.inconclusive() ? kUndecided : kDone;
 }
@@ -99,6 +114,9 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option(
       "--witness", a->witness,
       "Write the first violation of each rule here, as known-answer cases for tps vectors and tps eval");
+  verb->add_option(
+      "--view", a->view,
+      "Write a page here that plays the trace, marks what was found and opens at the first finding");
   verb->add_flag("-q,--quiet", a->quiet, "No progress on standard error");
   verb->footer(
       "Exit code 1 if a rule is violated, 5 if more than one step in a hundred is undecided.\n"

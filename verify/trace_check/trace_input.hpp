@@ -1,0 +1,61 @@
+// A trace as a file: what its header says, then its lines.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "reference/engine/timing.hpp"
+#include "reference/scene/scene.hpp"
+#include "reference/text/line_reader.hpp"
+#include "verify/trace_check/judge_lines.hpp"
+
+namespace tps::check {
+
+/// The header of anybody's trace (docs/check.md); TraceHead is that of ours.
+struct TraceFileHead {
+  Scene scene;
+  std::string scalar = "double";
+  Timing timing = Timing::stable;
+  bool minimal = false;
+  int semantics = 0;      ///< 0: not said
+  std::string positions;  ///< "lazy", "eager" or empty: not said
+  bool own_draws = false;
+  bool checksum_holds = true;  ///< where it has one
+};
+
+/// Opens a trace and reads its header; then hands out the lines behind it, as text.
+class TraceInput {
+ public:
+  /// "-" is the standard input. `scene_file` is the scene of a trace that lacks its own; empty: none. `stop`
+  /// is asked before each line. Throws InputError where there is no trace: no file, no header, a broken
+  /// scene.
+  TraceInput(const std::string& path, const std::string& scene_file, std::function<bool()> stop);
+
+  const TraceFileHead& head() const { return head_; }
+  /// The next line; false at the end, or where `stop` said so.
+  bool next(LineSource::Text& line);
+
+  std::uint64_t lines() const { return lines_; }  ///< handed out or read so far, the header among them
+  std::uint64_t bytes() const { return bytes_; }
+  bool interrupted() const { return interrupted_; }
+
+ private:
+  struct Descriptor {
+    int number;
+    explicit Descriptor(int descriptor) : number(descriptor) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor();
+  };
+
+  Descriptor descriptor_;  ///< closed in the end; 0 is the standard input
+  std::function<bool()> stop_;
+  LineReader reader_;
+  TraceFileHead head_;
+  std::uint64_t lines_ = 1;
+  std::uint64_t bytes_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace tps::check
