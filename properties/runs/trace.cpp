@@ -53,8 +53,9 @@ std::map<std::int32_t, TracedState> states(const JsonValue* value, std::size_t l
 TracedEvent event_of(const JsonValue& json, std::size_t line) {
   TracedEvent e;
   e.k = integer<std::uint64_t>(member(json, "k", line), line);
-  e.t = read_instant(text(member(json, "t", line), line));
-  e.dt = read_real(text(member(json, "dt", line), line));
+  const bool drag = json.find("s") != nullptr;  // the clock in which paths are straight
+  e.t = read_instant(text(member(json, drag ? "s" : "t", line), line));
+  e.dt = read_real(text(member(json, drag ? "ds" : "dt", line), line));
   e.kind = text(member(json, "kind", line), line);
   if (const JsonValue* i = json.find("i")) e.i = integer<std::int32_t>(*i, line);
   if (const JsonValue* j = json.find("j")) e.j = integer<std::int32_t>(*j, line);
@@ -101,7 +102,7 @@ RunTrace read_trace(std::string_view bytes) {
       trace.events.push_back(event_of(json, number));
     } else if (json.find("end") != nullptr) {
       trace.end = text(member(json, "end", number), number);
-      trace.end_time = read_instant(text(member(json, "t", number), number));
+      trace.end_time = read_instant(text(member(json, json.find("s") != nullptr ? "s" : "t", number), number));
     } else if (json.find("state") == nullptr) {
       lacks(number, "\"kind\", \"state\" or \"end\"");
     }

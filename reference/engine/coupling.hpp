@@ -37,6 +37,10 @@ class Coupling {
   /// Answers a collision: changes velocities and completes its record, which is still open.
   virtual void collide(World<Scalar, D>& world, const Collision<Scalar, D>& collision,
                        Record<Scalar, D>& record) = 0;
+  /// Takes the energy of a collision that is about to be answered to the ledger.
+  virtual void lose(World<Scalar, D>& world, const Scalar& loss) { world.ledger.lost += loss; }
+  /// What Δp has to be multiplied with to be a momentum of the scene now.
+  virtual Scalar impulse_unit(const World<Scalar, D>&) const { return Scalar(1); }
   /// An impulse from outside on a particle, which acts on its whole body.
   virtual void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse,
                     Record<Scalar, D>& record) = 0;
@@ -73,7 +77,7 @@ PairVelocities<Scalar, D> directed_response(World<Scalar, D>& world, int i, int 
 
 /// Every particle is its own body; eq. (3) acts at once.
 template <typename Scalar, int D>
-class FreeCoupling final : public Coupling<Scalar, D> {
+class FreeCoupling : public Coupling<Scalar, D> {
  public:
   bool together(int, int) const override { return false; }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -72,6 +73,12 @@ class Effect {
   /// Throws std::out_of_range when the scene has fewer.
   virtual std::uint64_t progress() const { return 0; }
   virtual void resume(World<Scalar, D>&, std::uint64_t /*progress*/) {}
+
+  /// What a full state holds of this effect beside progress: lists of numbers by their names. A resumed run
+  /// gets them back.
+  using Numbers = std::map<std::string, std::vector<Scalar>>;
+  virtual Numbers numbers(const World<Scalar, D>&) const { return {}; }
+  virtual void take_numbers(World<Scalar, D>&, const Numbers&) {}
 };
 
 }  // namespace tps

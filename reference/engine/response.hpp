@@ -91,7 +91,7 @@ void answer(World<Scalar, D>& world, const Collision<Scalar, D>& collision, bool
   record.dp = collision.dp;
   if (has_impulse) {
     require_impulse(world, collision);
-    world.ledger.lost += loss;
+    world.coupling->lose(world, loss);
     world.coupling->collide(world, collision, record);
   } else {
     ++world.statistics.zero_impulse;

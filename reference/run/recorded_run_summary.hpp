@@ -11,7 +11,9 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   s.scalar = scalar_names()[static_cast<std::size_t>(options_.scalar)];
   s.end = name(reason);
   s.t = static_cast<double>(end.hi);
-  s.exact_t = exact_time(scene_.start_time, end);
+  s.exact_t = time_of_end(reason, end);
+  if (scene_.drag)
+    s.t = reason == EndReason::duration ? duration_ : drag_time(scene_.drag->gamma, whole(end), 0);
   s.particles = world().particles.size();
   s.events = world().events;
   s.events_here = world().events - first_event_;
@@ -19,6 +21,7 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   s.seconds = seconds;
   if (options_.timing == Timing::certified) s.certified = options_.certifier->counters();
   summarise_conservation(s);
+  summarise_drag(s, end);
   s.worst_inner_excess = static_cast<double>(world().statistics.worst_inner_excess);
   s.worst_outer_excess = static_cast<double>(world().statistics.worst_outer_excess);
   const BoundExcess<Scalar> audit = audit_bounds(world(), end);
@@ -64,6 +67,27 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
   s.energy_bound = static_cast<double>(Scalar(ledger.energy_bound + sums.energy));
 }
 
+/// From the run's energies and momenta to those of the scene: times (1 − γs)², times 1 − γs. The bounds are
+/// those of docs/ledger.md, "With drag".
+template <typename Scalar, int D>
+void RecordedRun<Scalar, D>::summarise_drag(RunSummary& s, const Time<Scalar>& end) const {
+  const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get());
+  if (drag == nullptr) return;
+  const Scalar f = drag->factor(end);
+  const Scalar kinetic = kinetic_energy(world()) * f * f;
+  const Scalar at_start = world().ledger.kinetic_at_start;
+  const Scalar remainder = (kinetic - at_start) + drag->lost() + drag->taken(world(), end);
+  const double f_end = static_cast<double>(f);
+  s.drag_taken = static_cast<double>(drag->taken(world(), end));
+  s.kinetic = static_cast<double>(kinetic);
+  s.lost = static_cast<double>(drag->lost());
+  s.energy_remainder = static_cast<double>(remainder);
+  const Scalar own = Scalar(16) * std::numeric_limits<Scalar>::epsilon() * at_start;  // 32 u
+  s.energy_bound = f_end * f_end * s.energy_bound + static_cast<double>(own);
+  s.momentum_drift *= f_end;
+  s.momentum_bound *= f_end;
+}
+
 template <typename Scalar, int D>
 void RecordedRun<Scalar, D>::summarise_groups(RunSummary& s, const Time<Scalar>& end) const {
   const auto* groups = dynamic_cast<const GroupCoupling<Scalar, D>*>(world().coupling.get());
@@ -87,6 +111,8 @@ std::vector<RunSummary::Final> RecordedRun<Scalar, D>::final_states(const Time<S
     text << x;
     return text.str();
   };
+  const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get());
+  const Scalar unit = drag != nullptr ? drag->factor(end) : Scalar(1);
   std::vector<RunSummary::Final> states;
   for (int i = 0; i < world().size(); ++i) {
     const Vector<Scalar, D> position = world().position(i, end);
@@ -96,7 +122,7 @@ std::vector<RunSummary::Final> RecordedRun<Scalar, D>::final_states(const Time<S
                             {}};
     for (int k = 0; k < D; ++k) {
       state.position.push_back(decimal(position[k]));
-      state.velocity.push_back(decimal(world().velocity(i)[k]));
+      state.velocity.push_back(decimal(Scalar(world().velocity(i)[k] * unit)));
     }
     states.push_back(state);
   }

@@ -26,12 +26,13 @@ class RecordedRun {
       : scene_(scene),
         options_(options),
         duration_(options.until.value_or(scene.duration)),
+        horizon_(clock_until<Scalar>(scene, duration_)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
         files_(options),
         simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}, options.detector),
         schedule_(scene, scene.duration) {
     if (resume != nullptr) take_up(*resume);
-    simulation_->set_horizon({Scalar(duration_), Scalar(0)});
+    simulation_->set_horizon(horizon_);
     files_.begin(scene, options, state_every_, resume);
     last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
@@ -51,8 +52,9 @@ class RecordedRun {
     }
     if (files_.wants_states()) write_state_line(true);
     if (files_.has_trace()) {
+      const std::string t = time_of_end(reason, end);
       files_.line("{\"end\":\"" + std::string(name(reason)) + "\",\"events\":" +
-                  std::to_string(world().events) + ",\"t\":\"" + exact_time(scene_.start_time, end) + "\"}");
+                  std::to_string(world().events) + ",\"t\":\"" + t + "\"" + clock_member(scene_, end) + "}");
     }
     files_.close();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -69,7 +71,7 @@ class RecordedRun {
   }
 
   EndReason run_events() {
-    const Time<Scalar> end{Scalar(duration_), Scalar(0)};
+    const Time<Scalar> end = horizon_;
     auto last_report = std::chrono::steady_clock::now();
     for (std::uint64_t steps = 0;; ++steps) {
       if (options_.interrupt != nullptr && options_.interrupt->load()) return EndReason::interrupted;
@@ -77,7 +79,7 @@ class RecordedRun {
       if (options_.max_events && world().events >= *options_.max_events) return EndReason::max_events;
       const Time<Scalar> next = simulation_->next_time();
       if (next == Time<Scalar>::never() && end == next) return reason_of_silence();
-      if (end < next) return EndReason::duration;
+      if (end < next) return duration_ < kForEver ? EndReason::duration : EndReason::no_more_events;
       const std::uint64_t before = world().events;
       if (!step(next)) return EndReason::out_of_range;
       if (before / state_every_ != world().events / state_every_) {
@@ -117,7 +119,7 @@ class RecordedRun {
   /// simulating from there gives what was before it.
   void simulate_again(std::uint64_t events) {
     simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier}, options_.detector);
-    simulation_->set_horizon({Scalar(duration_), Scalar(0)});
+    simulation_->set_horizon(horizon_);
     restore(*simulation_, last_state_);
     while (world().events < events) simulation_->step();
     listen();
@@ -147,7 +149,13 @@ class RecordedRun {
   /// A run that ended because time was up has reached the end of its duration; any other stands at its last
   /// event.
   Time<Scalar> end_time(EndReason reason) const {
-    return reason == EndReason::duration ? Time<Scalar>{Scalar(duration_), Scalar(0)} : world().now;
+    return reason == EndReason::duration ? horizon_ : world().now;
+  }
+  /// The same on the scene's clock. Under drag the run's stops short of the duration by less than an ulp.
+  std::string time_of_end(EndReason reason, const Time<Scalar>& end) const {
+    if (scene_.drag && reason == EndReason::duration)
+      return exact_time(scene_.start_time, Time<double>{duration_, 0});
+    return time_of(scene_, end);
   }
   /// Samples that are due at the end itself are taken; later ones are not.
   static Time<Scalar> after_end(const Time<Scalar>& end) { return after(end, Scalar(coming_after(end.hi))); }
@@ -166,7 +174,7 @@ class RecordedRun {
     StateData state = capture(*simulation_);
     state.final = final;
     for (const ClusterSample& sample : samples_) state.observations.push_back(sample_data(sample));
-    files_.state(write_state(state, exact_time(scene_.start_time, world().now)));
+    files_.state(write_state(state, time_of(scene_, world().now)));
   }
 
   static std::vector<Hex> sample_data(const ClusterSample& s) {
@@ -200,16 +208,19 @@ class RecordedRun {
 
   RunSummary summarise(EndReason reason, const Time<Scalar>& end, double seconds) const;
   void summarise_conservation(RunSummary& s) const;
+  void summarise_drag(RunSummary& s, const Time<Scalar>& end) const;
   void summarise_groups(RunSummary& s, const Time<Scalar>& end) const;
   std::vector<RunSummary::Final> final_states(const Time<Scalar>& end) const;
   std::vector<std::string> stalled_particles() const;
 
   static constexpr std::uint64_t kStepsBetweenLooks = 64;
   static constexpr std::size_t kLastInvolved = 200;
+  static constexpr double kForEver = std::numeric_limits<double>::infinity();
 
   const Scene& scene_;
   const RunOptions& options_;
   double duration_;
+  Time<Scalar> horizon_;  ///< the duration on the run's clock
   std::uint64_t state_every_;
   std::vector<ClusterSample> samples_;
   TraceFiles

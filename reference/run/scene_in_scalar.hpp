@@ -35,6 +35,7 @@ class SceneInScalar {
     for (const PairLaw& law : scene.pairs) judge_law(law);
     for (std::size_t i = 0; i < scene.particles.size(); ++i) judge_particle(scene.particles[i]);
     if (scene.grouping) judge("/grouping/dt_restitute", scene.grouping->dt_restitute);
+    if (scene.drag) judge("/drag/gamma", scene.drag->gamma);
     if (scene.gravity) {
       judge("/gravity/every", scene.gravity->every);
       judge_vector("/gravity/acceleration", scene.gravity->acceleration, "the acceleration");

@@ -262,6 +262,7 @@ void check_scene(const Scene& scene, SceneSource& source) {
   if (source.sound({"species", "grouping"})) check_kicks(scene, source);
   if (!source.sound({"species", "dimension", "particles"})) return;
   check_infinite_masses(scene, source);
+  if (source.sound({"drag", "gravity", "grouping", "impulses", "phases"})) check_drag(scene, source);
   if (source.sound({"impulses"})) check_impulses(scene, source);
   if (source.sound({"pairs", "tethers"})) check_tethers(scene, source);
   if (source.sound({"pairs", "particles", "tethers"})) check_starts(scene, source);

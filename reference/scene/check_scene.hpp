@@ -16,7 +16,11 @@ namespace tps {
 /// - tethers at the start: two particles, once, of a pair with tethering that is not permanent, at least one
 /// of
 ///   finite mass, within the capacities;
+/// - drag: nothing that happens at times of its own, and infinite masses at rest (docs/effects.md);
 /// - the starts of the particles: see check_starts.hpp.
 void check_scene(const Scene& scene, SceneSource& source);
+
+/// The part of it about drag. REQUIRES species, particles, impulses and phases read.
+void check_drag(const Scene& scene, SceneSource& source);
 
 }  // namespace tps

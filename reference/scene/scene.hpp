@@ -111,6 +111,12 @@ struct Gravity {
   bool operator==(const Gravity&) const = default;
 };
 
+/// Drag, the superimposed equation dv/dt = −γ v with one γ for everybody (semantics §5).
+struct Drag {
+  double gamma = 0;
+  bool operator==(const Drag&) const = default;
+};
+
 /// Grouping of nearly simultaneous collisions (eqs. 6-7).
 struct Grouping {
   double dt_restitute = 0;
@@ -151,6 +157,7 @@ struct Scene {
   std::vector<PairLaw> pairs;
   std::optional<Grouping> grouping;
   std::optional<Gravity> gravity;
+  std::optional<Drag> drag;
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;

@@ -85,6 +85,7 @@ class Sections {
     if (there("start_time")) scene_.start_time = number(root_, "start_time");
     if (there("duration")) scene_.duration = number(root_, "duration");
     if (there("seed")) scene_.seed = json_uint64(*root_.find("seed")).value();
+    if (there("drag")) scene_.drag = Drag{number(*root_.find("drag"), "gamma")};
     if (there("grouping")) scene_.grouping = Grouping{number(*root_.find("grouping"), "dt_restitute")};
   }
 

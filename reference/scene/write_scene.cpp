@@ -53,6 +53,7 @@ class Writer {
       members.emplace_back("gravity", object({{"acceleration", vector(scene_.gravity->acceleration)},
                                               {"every", text(scene_.gravity->every)}}));
     }
+    if (scene_.drag) members.emplace_back("drag", object({{"gamma", text(scene_.drag->gamma)}}));
     if (!scene_.phases.empty()) members.emplace_back("phases", lines(scene_.phases));
     if (!scene_.impulses.empty()) members.emplace_back("impulses", lines(scene_.impulses));
     members.emplace_back("particles", lines(scene_.particles));

@@ -213,6 +213,9 @@ StateData capture(const Simulation<Scalar, D>& simulation) {
   for (const auto& [key, used] : world.draws) state.draws.push_back({key[0], key[1], key[2], used});
   for (const auto& effect : simulation.effects()) {
     if (effect->progress() > 0) state.progress[std::string(effect->name())] = effect->progress();
+    for (const auto& [name, numbers] : effect->numbers(world)) {
+      for (const Scalar& x : numbers) state.quantities[name].push_back(to_hex(x));
+    }
   }
   for (const auto& [kind, count] : world.statistics.by_kind) state.counts[kind] = count;
   visit_counts(world.statistics, [&](const char* name, std::uint64_t count) { state.counts[name] = count; });
@@ -257,6 +260,12 @@ void restore(Simulation<Scalar, D>& simulation, const StateData& state) {
   for (const auto& effect : simulation.effects()) {
     const auto saved = state.progress.find(std::string(effect->name()));
     if (saved != state.progress.end()) effect->resume(world, saved->second);
+    typename Effect<Scalar, D>::Numbers numbers = effect->numbers(world);
+    for (auto& [name, list] : numbers) {
+      for (std::size_t n = 0; n < list.size(); ++n)
+        list[n] = number_from<Scalar>(state.quantities.at(name).at(n));
+    }
+    effect->take_numbers(world, numbers);
   }
   for (const auto& [kind, count] : state.counts) {
     if (!kind.starts_with('#')) world.statistics.by_kind[kind] = count;

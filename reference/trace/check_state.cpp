@@ -73,8 +73,10 @@ class StateCheck {
   void check_times() {
     check_time(state_.now, "/now");
     check_time(state_.last_event, "/last_event");
-    demand(state_.t.empty() || is_sum(state_.t, scene_.start_time, state_.now), "/t",
-           "is not start_time + \"now\"");
+    if (!scene_.drag) {
+      demand(state_.t.empty() || is_sum(state_.t, scene_.start_time, state_.now), "/t",
+             "is not start_time + \"now\"");
+    }
     demand(state_.progress_event <= state_.k, "/progress_event",
            fmt::format("is {}, but there were {} events", state_.progress_event, state_.k));
   }
@@ -268,6 +270,9 @@ class StateCheck {
     for (std::size_t k = 0; k < dimension; ++k) {
       sizes[fmt::format("from_walls_{}", k)] = 2;
       sizes[fmt::format("from_outside_{}", k)] = 2;
+    }
+    if (scene_.drag) {
+      for (const char* name : {"drag_lost", "drag_taken", "drag_since"}) sizes[name] = 2;
     }
     for (const auto& [name, numbers] : state_.quantities) {
       const auto known = sizes.find(name);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "reference/engine/drag_clock.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/text/hexfloat.hpp"
@@ -16,6 +17,28 @@ std::string exact_time(double start_time, const Time<Scalar>& t) {
   if (start_time == 0 && t.lo == Scalar(0)) return to_hex(t.hi);
   const std::array<HexDigits, 3> terms = {hex_digits(start_time), hex_digits(t.hi), hex_digits(t.lo)};
   return join_hex(exact_sum(terms));
+}
+
+/// The last moment of a duration on the clock of a run: under drag s(T) rounded down to the scalar.
+template <typename Scalar>
+Time<Scalar> clock_until(const Scene& scene, double duration) {
+  if (!scene.drag) return {Scalar(duration), Scalar(0)};
+  const double s = drag_clock_until(scene.drag->gamma, duration);
+  const auto held = static_cast<Scalar>(s);
+  const bool is_above = static_cast<double>(held) > s;  // of float
+  return {is_above ? next_number(held, Rounding::down) : held, Scalar(0)};
+}
+
+/// Where the clock of a run stands, on the scene's clock: exactly, under drag the nearest double.
+template <typename Scalar>
+std::string time_of(const Scene& scene, const Time<Scalar>& now) {
+  if (!scene.drag) return exact_time(scene.start_time, now);
+  return to_hex(drag_time(scene.drag->gamma, whole(now), scene.start_time));
+}
+/// The clock itself, where it is not the scene's: `,"s":"…"`.
+template <typename Scalar>
+std::string clock_member(const Scene& scene, const Time<Scalar>& now) {
+  return scene.drag ? ",\"s\":\"" + exact_time(0, now) + "\"" : std::string();
 }
 
 namespace detail {
@@ -51,8 +74,8 @@ std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
   const auto id = [&](int i) { return std::to_string(scene.particles[static_cast<std::size_t>(i)].id); };
   std::string line;
   line.append("{\"k\":").append(std::to_string(record.k));
-  line.append(",\"t\":\"").append(exact_time(scene.start_time, record.t));
-  line.append("\",\"dt\":\"").append(to_hex(record.dt));
+  line.append(",\"t\":\"").append(time_of(scene, record.t)).append("\"").append(clock_member(scene, record.t));
+  line.append(scene.drag ? ",\"ds\":\"" : ",\"dt\":\"").append(to_hex(record.dt));
   line.append("\",\"kind\":\"").append(record.kind).append("\"");
   if (record.detail) line.append(",\"phase\":").append(std::to_string(*record.detail));
   if (record.i >= 0) line.append(",\"i\":").append(id(record.i));

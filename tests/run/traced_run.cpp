@@ -38,9 +38,11 @@ TracedEvent event_of(const json& line) {
   TracedEvent e;
   e.k = line.at("k");
   e.exact_t = line.at("t");
-  e.exact_dt = line.at("dt");
+  e.exact_dt = line.contains("ds") ? line.at("ds") : line.at("dt");
+  e.exact_s = line.value("s", "");
   e.t = number(e.exact_t);
   e.dt = number(e.exact_dt);
+  if (!e.exact_s.empty()) e.s = number(e.exact_s);
   e.kind = line.at("kind");
   e.i = line.value("i", -1);
   e.j = line.value("j", -1);

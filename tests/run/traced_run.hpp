@@ -18,8 +18,8 @@ struct TracedParticle {
 
 struct TracedEvent {
   std::uint64_t k = 0;
-  std::string exact_t, exact_dt, kind, tether;
-  double t = 0, dt = 0;
+  std::string exact_t, exact_dt, exact_s, kind, tether;
+  double t = 0, dt = 0, s = 0;  ///< under drag dt is that of s
   int i = -1, j = -1;
   std::map<int, TracedParticle> pre, post;  ///< by id
   std::vector<double> dp, dp_stored;

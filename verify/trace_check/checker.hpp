@@ -8,6 +8,7 @@
 #include "verify/trace_check/paths.hpp"
 #include "verify/trace_check/rules/bystanders.hpp"
 #include "verify/trace_check/rules/contact.hpp"
+#include "verify/trace_check/rules/drag.hpp"
 #include "verify/trace_check/rules/earliest.hpp"
 #include "verify/trace_check/rules/flight.hpp"
 #include "verify/trace_check/rules/groups.hpp"
@@ -41,6 +42,7 @@ class Checker {
 
  private:
   std::string shown_time(const Instant<Number>& t) const {
+    if (model_.scene.drag) return fmt::format("s = {:.17g}", static_cast<double>(t.hi));
     return fmt::format("t = {:.17g}", static_cast<double>(t.hi) + model_.scene.start_time);
   }
 

@@ -16,11 +16,15 @@ void Checker<Number>::take(const EndLine<Number>& end) {
   ended_ = true;
   model_.asked = end.t;
   judge_end(c, end);
+  judge_drag_end(c, end);
   judge_parted(c, "the run ends");
   earliest_held_ = bounds_held_ = true;
   judge_until_end(model_.now, Until::last_event);
   if (end.reason == "duration" && !(end.t < model_.now)) judge_until_end(end.t, Until::duration);
-  if (end.reason == "no_more_events") judge_until_end(last_time(model_.precision), Until::ever);
+  if (end.reason == "no_more_events" && !model_.scene.drag)
+    judge_until_end(last_time(model_.precision), Until::ever);
+  if (end.reason == "no_more_events" && model_.scene.drag && !(last_clock(c) < model_.now))
+    judge_until_end(last_clock(c), Until::duration);
   if (earliest_held_) tally_.pass(Rule::earliest);
   if (bounds_held_) tally_.pass(Rule::bounds);
 }

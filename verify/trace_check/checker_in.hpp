@@ -157,6 +157,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   }
   model_.asked = event.t;
   judge_order(c, event);
+  judge_drag_time(c, Rule::order, event.t, event.time);
   judge_parting(c, event);
   take_turn(event);
   judge_flight(c, event);

@@ -68,8 +68,9 @@ struct InvolvedParticle {
 template <typename Number>
 struct EventLine {
   std::optional<std::uint64_t> k;
-  Instant<Number> t;
+  Instant<Number> t;  ///< of the run's clock: under drag s
   std::string t_text;
+  std::optional<double> time;  ///< under drag: the time that is printed beside s
   std::optional<Number> dt;
   Kind kind;
   int i = -1, j = -1;
@@ -91,14 +92,16 @@ struct EventLine {
 template <typename Number>
 struct StateLine {
   StateData data;
-  Instant<Number> t;
+  Instant<Number> t;           ///< of the run's clock: under drag "now"
+  std::optional<double> time;  ///< under drag
 };
 
 template <typename Number>
 struct EndLine {
   std::string reason;
   std::uint64_t events;
-  Instant<Number> t;
+  Instant<Number> t;           ///< of the run's clock
+  std::optional<double> time;  ///< under drag
 };
 
 template <typename Number>

@@ -89,15 +89,31 @@ class LineValues {
   }
 
   Instant<Number> instant(dom::element value, const Pointer& at) const {
+    return instant(value, at, scene_.start_time);
+  }
+  /// The clock of a scene with drag, which counts from the start.
+  Instant<Number> clock(dom::element value, const Pointer& at) const { return instant(value, at, 0); }
+
+  Instant<Number> instant(dom::element value, const Pointer& at, double start_time) const {
     double plain = 0;
     if (minimal_ && value.get(plain) == simdjson::SUCCESS) {
-      return {Number(plain) - Number(scene_.start_time), Number(0)};
+      return {Number(plain) - Number(start_time), Number(0)};
     }
     const std::string_view hex = text(value, at);
-    const std::optional<Instant<Number>> result = instant_of<Number>(hex, scene_.start_time);
+    const std::optional<Instant<Number>> result = instant_of<Number>(hex, start_time);
     if (!result || !(result->hi - result->hi == Number(0))) {
       problem(at, fmt::format("\"{}\" {}", hex.substr(0, 60), kNumberForm));
     }
+    return *result;
+  }
+
+  /// A time of a scene with drag: a double, whatever the scalar.
+  double time(dom::element value, const Pointer& at) const {
+    double plain = 0;
+    if (minimal_ && value.get(plain) == simdjson::SUCCESS) return plain;
+    const std::optional<double> result = number_of<double>(text(value, at));
+    if (!result || !std::isfinite(*result))
+      problem(at, "is no double, which the time of a scene with \"drag\" is");
     return *result;
   }
 
@@ -138,6 +154,7 @@ class LineValues {
   }
 
   bool minimal() const { return minimal_; }
+  bool has_drag() const { return scene_.drag.has_value(); }
 
  private:
   static constexpr const char* kNumberForm =

@@ -11,9 +11,9 @@
 namespace tps::check {
 
 inline const std::vector<std::string>& event_keys() {
-  static const std::vector<std::string> keys = {"k",         "t",     "dt",     "kind", "i",
-                                                "j",         "phase", "pre",    "post", "dp",
-                                                "dp_stored", "dv",    "tether", "draw", "members"};
+  static const std::vector<std::string> keys = {"k",  "t",     "dt",   "kind", "i",         "j",
+                                                "phase", "pre",   "post", "dp",   "dp_stored", "dv",
+                                                "tether", "draw", "members", "s", "ds"};
   return keys;
 }
 
@@ -43,13 +43,16 @@ class LineReading<Number>::Json : private LineValues<Number> {
   }
 
  private:
+  using Values::clock;
   using Values::count;
+  using Values::has_drag;
   using Values::instant;
   using Values::minimal;
   using Values::number;
   using Values::particle;
   using Values::particle_named;
   using Values::text;
+  using Values::time;
   using Values::vector;
 
   static Kind kind_of(std::string_view text) {
@@ -62,7 +65,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
 
   EventLine<Number> event(const dom::object& line) {
     EventLine<Number> event;
-    bool has_kind = false, has_t = false;
+    bool has_kind = false, has_t = false, has_s = false;
     std::uint32_t seen = 0;
     for (const auto [key, value] : line) {
       const Pointer at{&kLine, key};
@@ -72,13 +75,21 @@ class LineReading<Number>::Json : private LineValues<Number> {
       if ((seen & bit) != 0) problem(at, "stands twice in the line");
       seen |= bit;
       if (key == "k") event.k = count(value, at);
+      if ((key == "s" || key == "ds") && !has_drag()) problem(at, "is for scenes with \"drag\"");
+      if (key == "s") event.t = clock(value, at);
+      has_s = has_s || key == "s";
       if (key == "t") {
-        event.t = instant(value, at);
+        if (has_drag()) {
+          event.time = time(value, at);
+        } else {
+          event.t = instant(value, at);
+        }
         event.t_text =
             value.is_string() ? std::string(text(value, at)) : fmt::format("{}", simdjson::minify(value));
         has_t = true;
       }
-      if (key == "dt") event.dt = number(value, at);
+      if (key == "dt" && has_drag()) problem(at, "is \"ds\" in scenes with \"drag\"");
+      if (key == "dt" || key == "ds") event.dt = number(value, at);
       if (key == "kind") {
         event.kind = kind_of(text(value, at));
         has_kind = true;
@@ -95,6 +106,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
       if (key == "members") event.members = members(value, at);
     }
     if (!has_t) problem(kLine, "has no \"t\": every event has one, or the line is no event");
+    if (has_drag() && !has_s)
+      problem(kLine, "has no \"s\": with \"drag\" every event has one, the clock in which paths are straight");
     if (!has_kind) problem(kLine, "has no \"kind\": every event has one");
     states(line, event);
     demand(event);
@@ -202,7 +215,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
     };
     if (!minimal()) {
       need(e.k.has_value(), "k", e.kind);
-      need(e.dt.has_value(), "dt", e.kind);
+      need(e.dt.has_value(), has_drag() ? "ds" : "dt", e.kind);
     }
     need(e.phase.has_value() || !is_phase(e.kind), "phase", e.kind);
     forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
@@ -245,12 +258,18 @@ class LineReading<Number>::Json : private LineValues<Number> {
       const InputProblem& first = error.problems().front();
       throw LineProblem(first.pointer, first.message);
     }
-    if (line["t"].get(t) == simdjson::SUCCESS) state.t = instant(t, Pointer{&kLine, "t"});
+    if (has_drag()) {
+      state.time = number_of<double>(state.data.t);
+      if (!state.time) problem("t", "is no double, which the time of a scene with \"drag\" is");
+      state.t = {Number(0), Number(0)};  // rule states takes "now"
+    } else if (line["t"].get(t) == simdjson::SUCCESS) {
+      state.t = instant(t, Pointer{&kLine, "t"});
+    }
     return state;
   }
 
   EndLine<Number> end(const dom::object& line) const {
-    static const std::vector<std::string> keys = {"end", "events", "t"};
+    static const std::vector<std::string> keys = {"end", "events", "t", "s"};
     static const std::vector<std::string> reasons = {"duration", "max_events",  "no_more_events",
                                                      "stalled",  "interrupted", "out_of_range"};
     std::set<std::string_view> seen;
@@ -259,13 +278,19 @@ class LineReading<Number>::Json : private LineValues<Number> {
         unknown_key(Pointer{&kLine, key}, key, keys);
       if (!seen.insert(key).second) problem(Pointer{&kLine, key}, "stands twice in the line");
     }
-    dom::element reason, events, t;
+    dom::element reason, events, t, s;
     if (line["end"].get(reason) != simdjson::SUCCESS || line["events"].get(events) != simdjson::SUCCESS ||
         line["t"].get(t) != simdjson::SUCCESS) {
       problem(kLine, "is no complete end: {\"end\":reason,\"events\":n,\"t\":…}");
     }
+    const bool has_s = line["s"].get(s) == simdjson::SUCCESS;
+    if (has_s != has_drag())
+      problem(has_s ? "s" : "", has_s ? "is for scenes with \"drag\"" : "has no \"s\", as with \"drag\"");
     EndLine<Number> end{std::string(text(reason, Pointer{&kLine, "end"})),
-                        count(events, Pointer{&kLine, "events"}), instant(t, Pointer{&kLine, "t"})};
+                        count(events, Pointer{&kLine, "events"}),
+                        has_s ? clock(s, Pointer{&kLine, "s"}) : instant(t, Pointer{&kLine, "t"}),
+                        {}};
+    if (has_s) end.time = time(t, Pointer{&kLine, "t"});
     if (std::find(reasons.begin(), reasons.end(), end.reason) == reasons.end()) {
       problem("end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60),
                                  fmt::join(reasons, ", ")));

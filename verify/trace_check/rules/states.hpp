@@ -5,6 +5,7 @@
 
 #include "reference/trace/check_state.hpp"
 #include "verify/trace_check/context.hpp"
+#include "verify/trace_check/rules/drag.hpp"
 #include "verify/trace_check/rules/known_events.hpp"
 #include "verify/trace_check/text_number.hpp"
 
@@ -94,7 +95,11 @@ class StateJudge {
     const StateData& s = line_.data;
     expect(s.k == model_.events,
            fmt::format("the state is of event {}, but stands behind event {}", s.k, model_.events));
-    expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
+    if (model_.scene.drag) {
+      judge_drag_time(c_, Rule::states, instant(s.now), line_.time);
+    } else {
+      expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
+    }
     expect(same(instant(s.last_event), model_.now), "\"last_event\" is not the time of the event before");
     expect(s.progress_event == model_.progress_event,
            fmt::format("the clock last moved at event {}, not {}", model_.progress_event, s.progress_event));

@@ -1,0 +1,211 @@
+// The check and drag: honest runs conform in every scalar and timing; a time, a clock or an end that is not
+// theirs is told. The printed time is compared with integers that share no code with it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "reference/engine/drag_clock.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "tests/run/traced_run.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/exact/drag_time.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps {
+namespace drag_check {
+namespace {
+
+using nlohmann::json;
+using testing::add_particle;
+
+Scene busy(unsigned seed) {
+  Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
+  scene.drag = Drag{.02 * seed};
+  scene.start_time = seed % 3 == 0 ? 1e6 : 0;
+  scene.duration = 12;
+  const int wall = testing::add_species(scene, "wall", std::numeric_limits<double>::infinity(), 4);
+  testing::block(scene, 0, 0, .9);
+  testing::tether(scene, 0, 0, 1.8, .7, FormRule::When::always).tethering->breaks = {
+      BreakRule::When::impulse_above, 0, .45};
+  testing::tether(scene, 0, wall, 3.4, 1, FormRule::When::permanent);
+  add_particle(scene, wall, {});
+  for (int n = 0; n < 6; ++n)
+    add_particle(scene, 0, {-2 + 1.5 * (n % 3), n < 3 ? 1. : -1., 0}, {1. - .3 * n, .2 * n - .5 + .01 * seed, 0});
+  return scene;
+}
+
+check::CheckReport checked(const std::string& bytes) {
+  const std::string path = testing::scratch("drag.ndjson");
+  testing::write_bytes(path, bytes);
+  check::CheckOptions options;
+  options.max_reports = 1000;
+  const check::CheckReport report = check::check_trace(path, options);
+  std::filesystem::remove(path);
+  return report;
+}
+
+std::string first_finding(const check::CheckReport& report) {
+  return report.findings.empty() ? "" : report.findings.front().message;
+}
+
+std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
+  std::uint64_t count = 0;
+  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
+  return count;
+}
+
+TEST(Drag, HonestRunsConform) {
+  std::uint64_t events = 0, breaks = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    for (const std::string& scalar : scalar_names()) {
+      for (const Timing timing : {Timing::stable, Timing::certified}) {
+        RunOptions options = testing::options_for(scalar);
+        if (!can_be_timed(options.scalar, timing) || (seed > 2 && scalar != "double")) continue;
+        certified::ExactTiming certifier;
+        options.timing = timing;
+        options.certifier = &certifier;
+        const testing::TracedRun run = testing::traced(busy(seed), options);
+        events += run.summary.events;
+        breaks += run.summary.by_kind.contains("break") ? run.summary.by_kind.at("break") : 0;
+        const check::CheckReport report = checked(run.bytes);
+        ASSERT_TRUE(report.conforming()) << seed << ' ' << scalar << ": " << first_finding(report);
+        ASSERT_EQ(report.undecided(), 0U) << seed << ' ' << scalar << ": " << first_finding(report);
+      }
+    }
+  }
+  EXPECT_GE(events, 400U);
+  EXPECT_GE(breaks, 10U);
+}
+
+/// A trace with its line `which` of those that have the key changed.
+template <typename Edit>
+std::string with(const testing::TracedRun& run, const char* key, int which, Edit edit) {
+  std::string bytes;
+  int seen = 0;
+  for (const std::string& line : run.lines) {
+    json event = json::parse(line);
+    if (event.contains(key) && seen++ == which) {
+      edit(event);
+      bytes += event.dump() + "\n";
+    } else {
+      bytes += line + "\n";
+    }
+  }
+  return bytes;
+}
+
+void move(json& hex, double towards) {
+  hex = to_hex(std::nextafter(std::strtod(hex.get<std::string>().c_str(), nullptr), towards));
+}
+
+TEST(Drag, LiesAreTold) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const testing::TracedRun run = testing::traced(busy(seed));
+    for (const int which : {1, 7}) {
+      for (const double towards : {0., 1e9}) {
+        const auto time = [&](json& event) { move(event["t"], towards); };
+        EXPECT_EQ(violated(checked(with(run, "ds", which, time)), check::Rule::order), 1U) << seed;
+        EXPECT_GT(violated(checked(with(run, "state", which % 2, time)), check::Rule::states), 0U) << seed;
+        const auto clock = [&](json& event) { move(event["s"], towards); };
+        EXPECT_GT(violated(checked(with(run, "ds", which, clock)), check::Rule::order), 0U) << seed;
+        EXPECT_GT(violated(checked(with(run, "end", 0, clock)), check::Rule::end), 0U) << seed;
+      }
+      const auto renamed = [](json& event) {
+        event["dt"] = event["ds"];
+        event.erase("ds");
+      };
+      EXPECT_GT(violated(checked(with(run, "ds", which, renamed)), check::Rule::schema), 0U) << seed;
+      const auto without = [](json& event) { event.erase("s"); };
+      EXPECT_GT(violated(checked(with(run, "ds", which, without)), check::Rule::schema), 0U) << seed;
+    }
+  }
+}
+
+// s of a long run is counted on beyond 1/γ: such an event has no time.
+TEST(Drag, NothingHappensWhenTheClockHasRunOut) {
+  Scene scene = testing::plain_scene();
+  scene.duration = 12;
+  testing::block(scene, 0, 0);
+  add_particle(scene, 0, {}, {1, 0, 0});
+  add_particle(scene, 0, {6, 0, 0});  // met at s = 5
+  const testing::TracedRun free = testing::traced(scene);
+  std::string bytes = free.bytes;
+  const std::string from = "\"species\"";
+  bytes.insert(bytes.find(from), "\"drag\":{\"gamma\":0.25},");
+  std::string told;
+  for (std::size_t n = 0; n < free.lines.size(); ++n) {
+    json line = json::parse(n == 0 ? bytes.substr(0, bytes.find('\n')) : free.lines[n]);
+    if (n == 0) line.erase("checksum");
+    if (line.contains("state")) continue;
+    if (line.contains("dt")) line["ds"] = line["dt"], line.erase("dt");
+    if (n > 0) line["s"] = line["t"];
+    told += line.dump() + "\n";
+  }
+  const check::CheckReport report = checked(told);
+  bool says_so = false;
+  for (const auto& finding : report.findings)
+    says_so = says_so || finding.message.find("never comes to that") != std::string::npos;
+  ASSERT_EQ(free.events.size(), 1U);
+  EXPECT_TRUE(says_so) << first_finding(report);
+}
+
+/// Every road of drag_time, to a number with no rounding in it.
+TEST(DragTime, IsTheNearestDouble) {
+  std::mt19937_64 random(7);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  for (int n = 0; n < 1000; ++n) {
+    const double gamma = std::ldexp(between(1, 2), static_cast<int>(between(-200, 60)));
+    const double z = n % 3 == 0   ? std::ldexp(between(1, 2), static_cast<int>(between(-300, -1)))
+                     : n % 3 == 1 ? between(0, 1)
+                                  : 1 - std::ldexp(between(1, 2), static_cast<int>(between(-50, -2)));
+    double s = z / gamma;
+    while ((Dyadic{1, 0} - dyadic(gamma) * dyadic(s)).sign() <= 0) s = std::nextafter(s, 0.0);
+    const double start = n % 5 == 0 ? between(-1e3, 1e6) : 0;
+    const Dyadic more = n % 2 == 0 ? Dyadic{} : dyadic(s) * Dyadic{1, -53};  // a low part
+    const Dyadic clock = (Dyadic{1, 0} - dyadic(gamma) * (dyadic(s) + more)).sign() > 0 ? dyadic(s) + more : dyadic(s);
+    const double t = drag_time(gamma, clock, start);
+    EXPECT_TRUE(exact::is_nearest_drag_time(gamma, clock, start, t)) << gamma << ' ' << s << ' ' << start;
+  }
+}
+
+// t is 2⁻²⁰⁰ beside the middle of two doubles: long double cannot tell, 1100 bits do.
+TEST(DragTime, IsTheNearestDoubleBesideMiddles) {
+  for (int n = 1; n <= 40; ++n) {
+    const double gamma = 1. / n;
+    const Dyadic T = dyadic(1 + n * 0x1p-40) + Dyadic{1, -53};
+    // s(T) to 2⁻²⁰⁰, from below and above.
+    Dyadic lo{}, hi = Dyadic{n, 0};
+    for (int k = 0; k < 220; ++k) {
+      const Dyadic middle = (lo + hi) * Dyadic{1, -1};
+      (exact::compare_drag_time(gamma, middle, T) == exact::Sign::negative ? lo : hi) = middle;
+    }
+    for (const Dyadic& s : {lo, hi}) {
+      const double t = drag_time(gamma, s, 0);
+      EXPECT_TRUE(exact::is_nearest_drag_time(gamma, s, 0, t)) << n;
+    }
+  }
+}
+
+TEST(DragTime, TheDurationEndsAtTheLastDoubleBeforeIt) {
+  for (const double gamma : {1e-300, 1e-9, .1, 1., 3., 1e6}) {
+    for (const double T : {1e-12, .1, 1., 30., 1e4}) {
+      const double s = drag_clock_until(gamma, T);
+      const auto comes = [&](double clock) {
+        return (Dyadic{1, 0} - dyadic(gamma) * dyadic(clock)).sign() > 0 &&
+               exact::compare_drag_time(gamma, dyadic(clock), dyadic(T)) != exact::Sign::positive;
+      };
+      EXPECT_TRUE(comes(s)) << gamma << ' ' << T;
+      EXPECT_FALSE(comes(std::nextafter(s, HUGE_VAL))) << gamma << ' ' << T;
+    }
+    const double last = drag_clock_until(gamma, HUGE_VAL);
+    EXPECT_GT((Dyadic{1, 0} - dyadic(gamma) * dyadic(last)).sign(), 0);
+    EXPECT_LE((Dyadic{1, 0} - dyadic(gamma) * dyadic(std::nextafter(last, HUGE_VAL))).sign(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace drag_check
+}  // namespace tps

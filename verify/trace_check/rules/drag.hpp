@@ -1,0 +1,81 @@
+// Rules order, states and end under drag: the time printed beside the clock s. docs/check.md, "Drag".
+#pragma once
+
+#include <limits>
+
+#include "verify/exact/drag_time.hpp"
+#include "verify/trace_check/context.hpp"
+
+namespace tps::check {
+
+/// A double of the check, or one of its wide numbers, exactly.
+template <typename Number>
+Dyadic lifted(const Instant<Number>& t) {
+  return dyadic(t.hi) + dyadic(t.lo);
+}
+
+/// The time of an event or a state is the double nearest to start − ln(1 − γs)/γ, and there is one: γs < 1. Of
+/// minimal traces, whose logarithm may be any library's, only the latter is judged.
+template <typename Number>
+void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>& s,
+                     const std::optional<double>& time) {
+  const Scene& scene = c.model.scene;
+  if (!scene.drag || !time) return;
+  const double gamma = scene.drag->gamma;
+  const bool happens = (Dyadic{1, 0} - dyadic(gamma) * lifted(s)).sign() > 0;
+  c.tally.demand(rule, happens, [&](Finding& f) {
+    f.message = fmt::format("γ s = {} is not below 1: under drag it never comes to that",
+                            shown(Work<Number>(gamma) * Work<Number>(s.hi)));
+  });
+  if (!happens) return;
+  if (c.minimal) {
+    c.tally.not_judged(rule, "times of a minimal trace with drag, beside their s");
+    return;
+  }
+  const bool nearest = exact::is_nearest_drag_time(gamma, lifted(s), scene.start_time, *time);
+  c.tally.demand(rule, nearest, [&](Finding& f) {
+    f.message = fmt::format("the time {:.17g} is not the double nearest to start − ln(1 − γs)/γ at s = {}", *time,
+                            shown(Work<Number>(s.hi), 17));
+  });
+}
+
+/// The clock of an end by duration is the last number of the scalar (of double for a wider one) before the
+/// time that is printed.
+template <typename Number>
+void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
+  const Scene& scene = c.model.scene;
+  if (!scene.drag || !end.time) return;
+  if (end.reason != "duration") return judge_drag_time(c, Rule::end, end.t, end.time);
+  if (c.minimal) return;
+  const double gamma = scene.drag->gamma;
+  const Dyadic duration = dyadic(*end.time) - dyadic(scene.start_time);
+  const auto s = static_cast<double>(end.t.hi);
+  const double above = c.model.precision.digits < std::numeric_limits<double>::digits
+                           ? static_cast<double>(std::nextafter(static_cast<float>(s), HUGE_VALF))
+                           : std::nextafter(s, HUGE_VAL);
+  const auto comes = [&](double clock) {
+    const Dyadic at = dyadic(clock);
+    return (Dyadic{1, 0} - dyadic(gamma) * at).sign() > 0 &&
+           exact::compare_drag_time(gamma, at, duration) != exact::Sign::positive;
+  };
+  c.tally.demand(Rule::end, lifted(end.t).sign() > 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
+                 [&](Finding& f) {
+                   f.message = fmt::format("the clock s = {:.17g} is not the last one before the end at {:.17g}", s,
+                                           *end.time);
+                 });
+}
+
+/// The last clock before 1/γ: nothing happens after it.
+template <typename Number>
+Instant<Number> last_clock(const Context<Number>& c) {
+  const double gamma = c.model.scene.drag->gamma;
+  double s = rounded_quotient<double>({1, 0}, dyadic(gamma), Rounding::down);
+  if ((Dyadic{1, 0} - dyadic(gamma) * dyadic(s)).sign() == 0) s = std::nextafter(s, 0.0);
+  if (c.model.precision.digits < std::numeric_limits<double>::digits) {
+    const auto held = static_cast<float>(s);
+    s = static_cast<double>(held) > s ? std::nextafter(held, 0.0F) : held;
+  }
+  return {Number(s), Number(0)};
+}
+
+}  // namespace tps::check
