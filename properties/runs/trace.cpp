@@ -102,7 +102,8 @@ RunTrace read_trace(std::string_view bytes) {
       trace.events.push_back(event_of(json, number));
     } else if (json.find("end") != nullptr) {
       trace.end = text(member(json, "end", number), number);
-      trace.end_time = read_instant(text(member(json, json.find("s") != nullptr ? "s" : "t", number), number));
+      trace.end_time =
+          read_instant(text(member(json, json.find("s") != nullptr ? "s" : "t", number), number));
     } else if (json.find("state") == nullptr) {
       lacks(number, "\"kind\", \"state\" or \"end\"");
     }

@@ -48,8 +48,8 @@ std::optional<double> by_series(const Dyadic& s, const Dyadic& z, double start) 
 /// its units 2^−64 off, which docs/effects.md counts. Decides all but one in 2^7 or so.
 std::optional<double> by_long_double(double gamma, const Dyadic& z, const Dyadic& rest) {
   if (std::numeric_limits<long double>::digits < 64) return std::nullopt;
-  const long double log = magnitude(z) < -1 ? std::log1p(-nearest<long double>(z))
-                                            : std::log(nearest<long double>(rest));
+  const long double log =
+      magnitude(z) < -1 ? std::log1p(-nearest<long double>(z)) : std::log(nearest<long double>(rest));
   const long double t = -log / static_cast<long double>(gamma);
   const double least = static_cast<double>(t * (1 - 0x1p-60L));
   const double most = static_cast<double>(t * (1 + 0x1p-60L));

@@ -1,7 +1,10 @@
 #include "reference/run/next_event.hpp"
 
+#include <limits>
+
 #include "reference/engine/simulation.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/trace/event_line.hpp"
 
 namespace tps {
 namespace {
@@ -20,12 +23,17 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
     if (record.tether != TetherChange::none)
       event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
   };
+  const Time<double> last = clock_until<double>(scene, std::numeric_limits<double>::infinity());
+  simulation.set_horizon(last);
   if (const auto pair = simulation.beyond_every_time())
     throw OutOfRange("the time of the next event of " + pair_name(scene, pair->first, pair->second));
-  if (simulation.next_time() != Time<double>::never()) simulation.step();
+  const Time<double> next = simulation.next_time();
+  if (next != Time<double>::never() && next <= last) simulation.step();
+  if (scene.drag && event.dt) event.dt = drag_time(scene.drag->gamma, whole(world.now), 0);
+  const double unit = scene.drag ? nearest<double>(drag_factor(scene.drag->gamma, whole(world.now))) : 1;
   for (int i = 0; i < world.size(); ++i) {
     const Vector<double, D> u = world.position(i, world.now);
-    const Vector<double, D>& v = world.velocity(i);
+    const Vector<double, D> v = world.velocity(i) * unit;
     event.state.push_back({id(i), {u.begin(), u.end()}, {v.begin(), v.end()}});
   }
   return event;

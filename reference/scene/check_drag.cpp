@@ -42,11 +42,12 @@ void check_drag(const Scene& scene, SceneSource& source) {
     const Particle& particle = scene.particles[k];
     const bool fixed = std::isinf(scene.species[static_cast<std::size_t>(particle.species)].mass);
     if (!fixed || particle.velocity == Coordinates{}) continue;
-    source.report(fmt::format("/particles/{}/velocity", source.particle_entries[k]),
-                  fmt::format("particle {} has infinite mass and moves: no drag slows it, so that its path is "
-                              "not straight in the clock of a scene with \"drag\"; let it rest, or remove "
-                              "\"drag\"",
-                              particle.id));
+    source.report(
+        fmt::format("/particles/{}/velocity", source.particle_entries[k]),
+        fmt::format("particle {} has infinite mass and moves: no drag slows it, so that its path is "
+                    "not straight in the clock of a scene with \"drag\"; let it rest, or remove "
+                    "\"drag\"",
+                    particle.id));
   }
 }
 

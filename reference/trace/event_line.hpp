@@ -74,7 +74,10 @@ std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
   const auto id = [&](int i) { return std::to_string(scene.particles[static_cast<std::size_t>(i)].id); };
   std::string line;
   line.append("{\"k\":").append(std::to_string(record.k));
-  line.append(",\"t\":\"").append(time_of(scene, record.t)).append("\"").append(clock_member(scene, record.t));
+  line.append(",\"t\":\"")
+      .append(time_of(scene, record.t))
+      .append("\"")
+      .append(clock_member(scene, record.t));
   line.append(scene.drag ? ",\"ds\":\"" : ",\"dt\":\"").append(to_hex(record.dt));
   line.append("\",\"kind\":\"").append(record.kind).append("\"");
   if (record.detail) line.append(",\"phase\":").append(std::to_string(*record.detail));

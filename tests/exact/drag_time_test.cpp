@@ -12,7 +12,9 @@ namespace {
 
 TEST(DragTime, AgreesWithLongDoubleWhereThatTells) {
   std::mt19937_64 random(1);
-  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   for (int n = 0; n < 400; ++n) {
     const double gamma = std::ldexp(between(1, 2), static_cast<int>(between(-20, 20)));
     const double s = between(0, 1) / gamma * (1 - 1e-9);

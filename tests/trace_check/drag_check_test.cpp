@@ -33,7 +33,8 @@ Scene busy(unsigned seed) {
   testing::tether(scene, 0, wall, 3.4, 1, FormRule::When::permanent);
   add_particle(scene, wall, {});
   for (int n = 0; n < 6; ++n)
-    add_particle(scene, 0, {-2 + 1.5 * (n % 3), n < 3 ? 1. : -1., 0}, {1. - .3 * n, .2 * n - .5 + .01 * seed, 0});
+    add_particle(scene, 0, {-2 + 1.5 * (n % 3), n < 3 ? 1. : -1., 0},
+                 {1. - .3 * n, .2 * n - .5 + .01 * seed, 0});
   return scene;
 }
 
@@ -155,7 +156,9 @@ TEST(Drag, NothingHappensWhenTheClockHasRunOut) {
 /// Every road of drag_time, to a number with no rounding in it.
 TEST(DragTime, IsTheNearestDouble) {
   std::mt19937_64 random(7);
-  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   for (int n = 0; n < 1000; ++n) {
     const double gamma = std::ldexp(between(1, 2), static_cast<int>(between(-200, 60)));
     const double z = n % 3 == 0   ? std::ldexp(between(1, 2), static_cast<int>(between(-300, -1)))
@@ -165,7 +168,8 @@ TEST(DragTime, IsTheNearestDouble) {
     while ((Dyadic{1, 0} - dyadic(gamma) * dyadic(s)).sign() <= 0) s = std::nextafter(s, 0.0);
     const double start = n % 5 == 0 ? between(-1e3, 1e6) : 0;
     const Dyadic more = n % 2 == 0 ? Dyadic{} : dyadic(s) * Dyadic{1, -53};  // a low part
-    const Dyadic clock = (Dyadic{1, 0} - dyadic(gamma) * (dyadic(s) + more)).sign() > 0 ? dyadic(s) + more : dyadic(s);
+    const Dyadic clock =
+        (Dyadic{1, 0} - dyadic(gamma) * (dyadic(s) + more)).sign() > 0 ? dyadic(s) + more : dyadic(s);
     const double t = drag_time(gamma, clock, start);
     EXPECT_TRUE(exact::is_nearest_drag_time(gamma, clock, start, t)) << gamma << ' ' << s << ' ' << start;
   }

@@ -89,6 +89,11 @@ class Limits {
 std::optional<std::string> not_certified(const Scene& scene) {
   if (!scene.phases.empty()) return "phases";
   if (!scene.impulses.empty()) return "impulses";
+  if (scene.gravity) return "gravity";
+  if (scene.drag) return "drag";
+  for (const Species& species : scene.species) {
+    if (species.random_impulses || species.thermostat) return "kicks at random times";
+  }
   const bool draws = std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairLaw& law) {
     return law.tethering && (law.tethering->form.when == FormRule::When::probability ||
                              law.tethering->breaks.when == BreakRule::When::probability);

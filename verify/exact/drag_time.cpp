@@ -72,9 +72,7 @@ bool is_nearest_drag_time(double gamma, const Dyadic& s, double start, double ro
   if (!std::isfinite(rounded)) return false;
   if (s.sign() == 0) return rounded == start;
   const Dyadic half{1, -1};
-  const auto middle = [&](double other) {
-    return (dyadic(rounded) + dyadic(other)) * half - dyadic(start);
-  };
+  const auto middle = [&](double other) { return (dyadic(rounded) + dyadic(other)) * half - dyadic(start); };
   const double inf = std::numeric_limits<double>::infinity();
   return compare_drag_time(gamma, s, middle(std::nextafter(rounded, -inf))) != Sign::negative &&
          compare_drag_time(gamma, s, middle(std::nextafter(rounded, inf))) != Sign::positive;

@@ -11,9 +11,9 @@
 namespace tps::check {
 
 inline const std::vector<std::string>& event_keys() {
-  static const std::vector<std::string> keys = {"k",  "t",     "dt",   "kind", "i",         "j",
-                                                "phase", "pre",   "post", "dp",   "dp_stored", "dv",
-                                                "tether", "draw", "members", "s", "ds"};
+  static const std::vector<std::string> keys = {"k",      "t",    "dt",      "kind", "i",         "j",
+                                                "phase",  "pre",  "post",    "dp",   "dp_stored", "dv",
+                                                "tether", "draw", "members", "s",    "ds"};
   return keys;
 }
 
@@ -107,7 +107,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
     }
     if (!has_t) problem(kLine, "has no \"t\": every event has one, or the line is no event");
     if (has_drag() && !has_s)
-      problem(kLine, "has no \"s\": with \"drag\" every event has one, the clock in which paths are straight");
+      problem(kLine,
+              "has no \"s\": with \"drag\" every event has one, the clock in which paths are straight");
     if (!has_kind) problem(kLine, "has no \"kind\": every event has one");
     states(line, event);
     demand(event);

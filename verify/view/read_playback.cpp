@@ -97,6 +97,9 @@ Playback read_playback(const std::string& trace, const PlaybackOptions& options)
     playback.notes.push_back(
         fmt::format("numbers of the trace are {}, those shown here doubles", playback.scalar));
   }
+  if (playback.scene.drag)
+    playback.notes.emplace_back(
+        "drag: time here is the clock s of the run, in which paths are straight, and velocities are du/ds");
   return playback;
 }
 

@@ -14,8 +14,8 @@ Dyadic lifted(const Instant<Number>& t) {
   return dyadic(t.hi) + dyadic(t.lo);
 }
 
-/// The time of an event or a state is the double nearest to start − ln(1 − γs)/γ, and there is one: γs < 1. Of
-/// minimal traces, whose logarithm may be any library's, only the latter is judged.
+/// The time of an event or a state is the double nearest to start − ln(1 − γs)/γ, and there is one: γs < 1.
+/// Of minimal traces, whose logarithm may be any library's, only the latter is judged.
 template <typename Number>
 void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>& s,
                      const std::optional<double>& time) {
@@ -34,8 +34,8 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
   }
   const bool nearest = exact::is_nearest_drag_time(gamma, lifted(s), scene.start_time, *time);
   c.tally.demand(rule, nearest, [&](Finding& f) {
-    f.message = fmt::format("the time {:.17g} is not the double nearest to start − ln(1 − γs)/γ at s = {}", *time,
-                            shown(Work<Number>(s.hi), 17));
+    f.message = fmt::format("the time {:.17g} is not the double nearest to start − ln(1 − γs)/γ at s = {}",
+                            *time, shown(Work<Number>(s.hi), 17));
   });
 }
 
@@ -58,11 +58,13 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
     return (Dyadic{1, 0} - dyadic(gamma) * at).sign() > 0 &&
            exact::compare_drag_time(gamma, at, duration) != exact::Sign::positive;
   };
-  c.tally.demand(Rule::end, lifted(end.t).sign() > 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
-                 [&](Finding& f) {
-                   f.message = fmt::format("the clock s = {:.17g} is not the last one before the end at {:.17g}", s,
-                                           *end.time);
-                 });
+  c.tally.demand(
+      Rule::end,
+      lifted(end.t).sign() > 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
+      [&](Finding& f) {
+        f.message =
+            fmt::format("the clock s = {:.17g} is not the last one before the end at {:.17g}", s, *end.time);
+      });
 }
 
 /// The last clock before 1/γ: nothing happens after it.

@@ -98,10 +98,11 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
       detail::decision(c, event, rules.breaks.when == When::probability, rules.breaks.probability, "breaks");
   if (rules.breaks.when == When::probability && !drawn) return;
   bool should = rules.breaks.when == When::always || drawn.value_or(false);
-  // Under drag Δp is e^{γt} times a momentum of the scene; e^{−γt} = 1 − γs has two roundings, and the product
-  // one.
+  // Under drag Δp is e^{γt} times a momentum of the scene; e^{−γt} = 1 − γs has two roundings, and the
+  // product one.
   const bool drag = model.scene.drag.has_value();
-  const W left = drag ? W(1) - W(stored<Number>(model.scene.drag->gamma, model.precision)) * W(event.t.hi) : W(1);
+  const W left =
+      drag ? W(1) - W(stored<Number>(model.scene.drag->gamma, model.precision)) * W(event.t.hi) : W(1);
   const W size = length(expected.response.dp) * left;
   if (rules.breaks.when == When::impulse_above) {
     const W of_drag = drag ? W(4) * c.u() * length(expected.response.dp) : W(0);
@@ -111,8 +112,7 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
     should = beyond > W(0);
     if (beyond <= unit && beyond >= -unit) should = breaks;
   }
-  const auto told =
-      told_apart(size, W(stored<Number>(rules.breaks.threshold, model.precision)));
+  const auto told = told_apart(size, W(stored<Number>(rules.breaks.threshold, model.precision)));
   c.tally.demand(Rule::tethers, breaks == should, [&](Finding& f) {
     f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
                             should ? "breaks" : "holds",
