@@ -1,5 +1,6 @@
 #include "properties/runs/collision.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "properties/runs/laws.hpp"
@@ -113,6 +114,16 @@ Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& eve
   const Real coefficient =
       before.stored(event.kind == "rebound" ? law.blocking->c_rebound : law.tethering->c_retract);
   return c.mu / 2 * (1 - coefficient * coefficient) * c.v_n * c.v_n;
+}
+
+Real directed_change(const Replay& before, const TracedEvent& event, const LoadedNode& node, Real u) {
+  Real coordinates = 0, speeds = node.speeds;
+  for (const auto& [id, state] : event.post) {
+    coordinates = std::max(coordinates, state.position.norm());
+    speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
+  }
+  const Real distance = (event.post.at(*event.i).position - event.post.at(*event.j).position).norm();
+  return std::sqrt(Real(before.dimension())) * u * kSpare * speeds * (54 + 4 * coordinates / distance);
 }
 
 Real tether_impulse(const Replay& before, const Collided& c) {

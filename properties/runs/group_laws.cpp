@@ -32,21 +32,8 @@ std::optional<std::string> unites_wrongly(const Replay& before, const TracedEven
   return std::nullopt;
 }
 
-/// By how much directed rounding may change a velocity at a restitution (docs/engine.md): √D times what v_n'
-/// may be wrong by, 54 u of the speeds then and before the load, and the turn of the axis.
-Real directed_change(const TracedEvent& event, const LoadedNode& node, Real u, int dimension) {
-  Real coordinates = 0, speeds = node.speeds;
-  for (const auto& [id, state] : event.post) {
-    coordinates = std::max(coordinates, state.position.norm());
-    speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
-  }
-  const Real distance = (event.post.at(*event.i).position - event.post.at(*event.j).position).norm();
-  return std::sqrt(Real(dimension)) * u * kSpare * speeds * (54 + 4 * coordinates / distance);
-}
-
 /// A restitution parts the root of its group, by the impulse kept at the load and eq. (3).
-std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent& event, Real u,
-                                         int dimension) {
+std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent& event, Real u) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   const LoadedNode* node = before.node(i, j);
   if (node == nullptr) return "a restitution of a pair that is not loaded";
@@ -63,7 +50,7 @@ std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent
     if (auto fault =
             beyond("velocity of " + std::to_string(before.id_of(p)) + " after the restitution",
                    (w - expected).norm(),
-                   4 * u * kSpare * (v.norm() + w.norm()) + directed_change(event, *node, u, dimension)))
+                   4 * u * kSpare * (v.norm() + w.norm()) + directed_change(before, event, *node, u)))
       return fault;
   }
   return std::nullopt;
@@ -96,7 +83,7 @@ RunVerdict unwinds(const Scene& scene, Simulator& simulator) {
         if (event.is_load()) return unites_wrongly(before, event);
         if (event.is_collision() && !event.dp->isZero(0)) return "a collision with an impulse loads nothing";
         if (event.kind != "restitute") return std::nullopt;
-        if (auto fault = parts_wrongly(before, event, u, scene.dimension)) return fault;
+        if (auto fault = parts_wrongly(before, event, u)) return fault;
         const int i = before.index_of(*event.i), j = before.index_of(*event.j);
         const LoadedBody* body = before.body(before.is_fixed(i) ? j : i);
         return beyond("a group is given back early, by", dt - elapsed(body->last_load, event.t), late);
@@ -169,7 +156,7 @@ RunVerdict order_is_irrelevant(const Scene& scene, Simulator& simulator) {
         if (!open) open = Unwinding{unwound_from_below(before, *body), 0, 0};
         const LoadedNode* node = before.node(i, j);
         if (node == nullptr) return "a restitution of a pair that is not loaded";
-        open->directed += directed_change(event, *node, u, scene.dimension);
+        open->directed += directed_change(before, event, *node, u);
         for (const auto& [id, state] : event.post)
           open->speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
         Replay after = before;

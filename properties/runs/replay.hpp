@@ -49,6 +49,7 @@ class Replay {
   /// not.
   void apply(const TracedEvent& event);
 
+  int dimension() const { return scene_->dimension; }
   int size() const { return static_cast<int>(flights_.size()); }
   int index_of(std::int32_t id) const;
   std::int32_t id_of(int i) const { return scene_->particles[at(i)].id; }

@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <ostream>
+#include <random>
 
 #include "properties/runs/laws.hpp"
+#include "reference/scene/read_scene.hpp"
 
 namespace tps::properties::runs {
 
@@ -76,6 +81,43 @@ TEST_P(WideRunLaws, HoldsInFiftyDigits) {
 INSTANTIATE_TEST_SUITE_P(All, WideRunLaws,
                          ::testing::ValuesIn(chosen([](const RunLaw& law) { return law.compares_runs; })),
                          name_of);
+
+/// A row of balls of which the first drifts towards the others, far from a wall. All speeds are far below the
+/// wall's: then rounding a velocity counts in the wall's frame by much more than in the scene's.
+Scene slow_row(int seed) {
+  std::mt19937 engine(static_cast<unsigned>(seed));
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double speed = std::ldexp(1 + unit(engine), -10 - seed % 45);
+  const double wall = std::ldexp(1 + unit(engine), seed % 12);
+  std::string particles;
+  for (int i = 0; i < 4; ++i) {
+    const double side = i == 0 ? 0 : 0.3 * unit(engine);
+    particles += fmt::format(R"({{"id":{},"species":"ball","position":[{},{}],"velocity":[{},{}]}},)", i,
+                             1.0625 * i, side, i == 0 ? speed : 0, i == 0 ? speed * unit(engine) / 16 : 0);
+  }
+  particles +=
+      fmt::format(R"({{"id":9,"species":"wall","position":[0,1e6],"velocity":[{},{}]}})", wall, -wall);
+  return read_scene_text(
+      fmt::format(R"({{"tps":1,"dimension":2,"duration":{},"species":{{"ball":{{"mass":1,"radius":0.5}},)"
+                  R"("wall":{{"mass":"inf","radius":0.5}}}},"pairs":[{{"between":["ball","ball"],"blocking":)"
+                  R"({{"distance":1,"c_rebound":0.5}}}}],"particles":[{}]}})",
+                  2 / speed, particles),
+      "row " + std::to_string(seed));
+}
+
+TEST(RunLaws, EnergyHoldsOfSlowBodiesBeforeFastWalls) {
+  const auto simulator = reference_simulator("double", "stable");
+  const std::vector<RunLaw> energy = chosen([](const RunLaw& law) { return law.name == "Energy"; });
+  ASSERT_EQ(energy.size(), 1U);
+  std::uint64_t events = 0;
+  for (int seed = 0; seed < 300; ++seed) {
+    const Scene scene = slow_row(seed);
+    const RunVerdict verdict = energy[0].judge(scene, *simulator);
+    EXPECT_EQ(verdict.kind, RunVerdict::Kind::holds) << "row " << seed << ": " << verdict.why;
+    events += simulator->run(scene).events.size();
+  }
+  EXPECT_GE(events, 300U);
+}
 
 /// The way in which other implementations are asked.
 TEST(RunLawsOfACommand, Hold) {

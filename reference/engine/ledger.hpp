@@ -59,16 +59,20 @@ struct Ledger {
     for (int k = 0; k < D; ++k) from_outside[static_cast<std::size_t>(k)] += impulse[k];
   }
 
-  /// Adds what rounding may have done at one event to a particle of mass m, whose speeds before and after add
-  /// up to s: 64 u m s to a momentum and 64 u m s² to an energy, u = ε/2. docs/ledger.md counts the
-  /// roundings.
+  /// Adds what rounding may have done at one event to a particle of mass m, whose velocity it changes:
+  /// 64 u m s to a momentum and 64 u m s max(s, s_V) to an energy, u = ε/2, s = |v| + |v'|,
+  /// s_V = |v − V| + |v' − V|. docs/ledger.md counts the roundings.
   /// Where products underflow, each rounding loses up to the smallest number, of m v or of m times v².
-  void add_rounding(const Scalar& mass, const Scalar& speeds) {
+  void add_rounding(const Scalar& mass, const Vector<Scalar, D>& before, const Vector<Scalar, D>& after,
+                    const Vector<Scalar, D>& V) {
     using Limits = std::numeric_limits<Scalar>;
+    const Scalar speeds = norm<Scalar, D>(before) + norm<Scalar, D>(after);
+    const Scalar in_frame = norm<Scalar, D>(before - V) + norm<Scalar, D>(after - V);
+    const Scalar larger = in_frame > speeds ? in_frame : speeds;
     const Scalar units = Scalar(kRoundings / 2) * Limits::epsilon();
     const Scalar underflow = Scalar(kRoundings) * Limits::denorm_min() * (Scalar(1) + mass);
     momentum_bound += units * (mass * speeds) + underflow;
-    energy_bound += units * (mass * speeds * speeds) + underflow;
+    energy_bound += units * (mass * speeds * larger) + underflow;
   }
 
   /// Adds what directed rounding did to a velocity: m |v' − v| to a momentum, and m |v' − v| (|v'| + |v|) to

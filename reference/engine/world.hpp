@@ -176,7 +176,7 @@ void World<Scalar, D>::set_velocity(int i, const Vec& velocity) {
   if (fixed(i)) return;
   Vec& stored = particles[index(i)].velocity;
   // Also where nothing changed: a heavy particle may have rounded a whole impulse away.
-  ledger.add_rounding(mass(i), Scalar(norm<Scalar, D>(stored) + norm<Scalar, D>(velocity)));
+  ledger.add_rounding(mass(i), stored, velocity, frame_velocity_);
   if (stored != velocity) responded.forget(i);
   stored = velocity;
 }

@@ -1,7 +1,6 @@
 #include "reference/run/run.hpp"
 
 #include <algorithm>
-#include <new>
 #include <stdexcept>
 
 #include "reference/run/resume.hpp"
@@ -119,17 +118,9 @@ RunSummary resume_run(const std::string& path, const RunOptions& options, bool& 
   }
   try {
     return run_any(head.scene, resumed, &point);
-  } catch (const OutputError&) {
-    throw;
-  } catch (const std::out_of_range&) {
-    throw InputError(
-        {{path, 0, "",
-          "its last full state names a particle, event or quantity that its scene does not have; "
-          "cut the file off before that line, or start the run again"}});
-  } catch (const std::exception& error) {
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) throw;
+  } catch (const StateDoesNotFit& problem) {
     throw InputError({{path, 0, "",
-                       std::string("its last full state does not fit its scene: ") + error.what() +
+                       std::string("its last full state does not fit its scene: ") + problem.what() +
                            "; cut the file off before that line, or start the run again"}});
   }
 }

@@ -5,9 +5,11 @@
 #include <chrono>
 #include <deque>
 #include <limits>
+#include <new>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "reference/run/audit.hpp"
 #include "reference/run/clusters.hpp"
@@ -64,10 +66,19 @@ class RecordedRun {
  private:
   const World<Scalar, D>& world() const { return simulation_->world(); }
 
-  /// Before the files are touched: a state that does not fit costs nothing.
-  void take_up(const ResumePoint& resume) {
+  /// Before the files are touched: a state that does not fit costs nothing. Throws StateDoesNotFit,
+  /// OutOfRange.
+  void take_up(const ResumePoint& resume) try {
     restore(*simulation_, resume.state);
     for (const std::vector<Hex>& data : resume.state.observations) samples_.push_back(sample_from(data));
+  } catch (const OutOfRange&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::out_of_range&) {
+    throw StateDoesNotFit("it names a particle, event or quantity that the scene does not have");
+  } catch (const std::exception& error) {
+    throw StateDoesNotFit(error.what());
   }
 
   EndReason run_events() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,12 @@ struct ResumePoint {
   StateData state;
   std::uint64_t keep = 0;  ///< bytes of the trace to go on behind
   std::string from;        ///< the file that holds them
+};
+
+/// A full state that the scene of its file cannot have.
+class StateDoesNotFit : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// The first line of a trace or, with kind "checkpoint", of a checkpoint.

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 constexpr std::size_t kShownOfLongLine = 60;
 
-[[noreturn]] void fail(int error) {
-  throw InputError({{"standard input", 0, "", fmt::format("cannot be read: {}", std::strerror(error))}});
+[[noreturn]] void fail(const std::string& source, int error) {
+  throw InputError({{source, 0, "", fmt::format("cannot be read: {}", std::strerror(error))}});
 }
 
 /// Waits until there is something to read. A signal is let through only while waiting, so that none can slip
@@ -86,7 +86,7 @@ LineReader::Filled LineReader::fill() {
     buffer_.resize(there + (got > 0 ? static_cast<std::size_t>(got) : 0));
     if (got > 0) return Filled::more;
     if (got == 0) return Filled::end;
-    if (errno != EINTR && errno != EAGAIN) fail(errno);
+    if (errno != EINTR && errno != EAGAIN) fail(source_, errno);
   }
 }
 

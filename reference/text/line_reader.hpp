@@ -23,11 +23,12 @@ class LineReader {
     std::string_view text;  ///< valid until the next call
   };
 
-  /// `before_waiting` is called whenever the next line is not there yet; `stop` whether to give up waiting,
-  /// which is asked at the start and whenever a signal arrives.
-  LineReader(int descriptor, std::size_t longest_line, std::function<void()> before_waiting,
-             std::function<bool()> stop)
-      : descriptor_(descriptor),
+  /// `source` is what messages call it. `before_waiting` is called whenever the next line is not there yet;
+  /// `stop` whether to give up waiting, which is asked at the start and whenever a signal arrives.
+  LineReader(std::string source, int descriptor, std::size_t longest_line,
+             std::function<void()> before_waiting, std::function<bool()> stop)
+      : source_(std::move(source)),
+        descriptor_(descriptor),
         longest_(longest_line),
         before_waiting_(std::move(before_waiting)),
         stop_(std::move(stop)) {}
@@ -43,6 +44,7 @@ class LineReader {
   Filled fill();
   Result taken(std::size_t length, std::size_t end_length, bool too_long);
 
+  std::string source_;
   int descriptor_;
   std::size_t longest_;
   std::function<void()> before_waiting_;

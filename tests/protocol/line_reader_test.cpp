@@ -51,7 +51,7 @@ TEST(LineReader, GivesLinesWithoutTheirEnds) {
   pipe.write("one\n\ntwo\r\nlast");
   pipe.close_writer();
   LineReader reader(
-      pipe.reader(), 100, [] {}, never);
+      "the pipe", pipe.reader(), 100, [] {}, never);
   for (const char* expected : {"one", "", "two", "last"}) {
     const LineReader::Result line = reader.next();
     EXPECT_EQ(line.status, Status::line);
@@ -66,7 +66,7 @@ TEST(LineReader, AnnouncesAWaitOnlyWhenNothingIsThere) {
   pipe.write("a\nb\nc");
   int waits = 0;
   LineReader reader(
-      pipe.reader(), 100, [&] { ++waits; }, never);
+      "the pipe", pipe.reader(), 100, [&] { ++waits; }, never);
   EXPECT_EQ(reader.next().text, "a");
   EXPECT_EQ(waits, 1);
   EXPECT_EQ(reader.next().text, "b");
@@ -84,7 +84,7 @@ TEST(LineReader, PassesOverLinesThatAreTooLong) {
     pipe.close_writer();
   });
   LineReader reader(
-      pipe.reader(), 10, [] {}, never);
+      "the pipe", pipe.reader(), 10, [] {}, never);
   const LineReader::Result first = reader.next();
   EXPECT_EQ(first.status, Status::too_long);
   EXPECT_EQ(first.text, std::string(60, 'x'));
@@ -99,15 +99,20 @@ TEST(LineReader, PassesOverLinesThatAreTooLong) {
 TEST(LineReader, StopsWhenTold) {
   Pipe pipe;
   LineReader reader(
-      pipe.reader(), 10, [] {}, [] { return true; });
+      "the pipe", pipe.reader(), 10, [] {}, [] { return true; });
   EXPECT_EQ(reader.next().status, Status::interrupted);
 }
 
 TEST(LineReader, SaysWhyItCannotRead) {
   const int directory = ::open("/", O_RDONLY);
   LineReader reader(
-      directory, 10, [] {}, never);
-  EXPECT_THROW(reader.next(), InputError);
+      "questions.jsonl", directory, 10, [] {}, never);
+  try {
+    reader.next();
+    ADD_FAILURE() << "a directory was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), "questions.jsonl: cannot be read: Is a directory");
+  }
   ::close(directory);
 }
 

@@ -7,7 +7,7 @@ namespace tps::protocol {
 
 ServeEnd serve(int input, Output& output, const std::function<bool()>& stop) {
   LineReader reader(
-      input, kLongestRequest, [&output] { output.flush(); }, stop);
+      "standard input", input, kLongestRequest, [&output] { output.flush(); }, stop);
   while (true) {
     const LineReader::Result line = reader.next();
     if (line.status == LineReader::Status::end) return ServeEnd::finished;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -106,9 +107,9 @@ class GroupModel {
     return nullptr;
   }
 
-  bool is_parting(const Body<Number>* body) const { return parting_.count(body) != 0; }
+  bool is_parting(const Body<Number>* body) const { return parting_.contains(body); }
   /// Bodies that have begun to part and have not ended.
-  const std::set<const Body<Number>*>& parting() const { return parting_; }
+  const std::set<Body<Number>*, std::less<>>& parting() const { return parting_; }
 
   /// A body whose expiry a broken trace has passed over is not waited for any more.
   void stop_waiting_for(const Body<Number>* body) {
@@ -117,7 +118,7 @@ class GroupModel {
 
   /// Gives up what a broken trace has left half parted.
   void forget_parting() {
-    while (!parting_.empty()) drop(const_cast<Body<Number>*>(*parting_.begin()));
+    while (!parting_.empty()) drop(*parting_.begin());
   }
 
   std::size_t size() const { return bodies_.size(); }
@@ -159,7 +160,7 @@ class GroupModel {
   std::vector<Body<Number>*> body_of_;
   std::map<const Body<Number>*, std::unique_ptr<Body<Number>>> bodies_;
   std::set<ByExpiry> by_expiry_;
-  std::set<const Body<Number>*> parting_;
+  std::set<Body<Number>*, std::less<>> parting_;
 };
 
 }  // namespace tps::check

@@ -81,8 +81,13 @@ struct EventLine {
   std::optional<double> draw;
   std::vector<int> members;
 
-  const InvolvedParticle<Number>* of(int particle) const {
-    for (const InvolvedParticle<Number>& p : involved) {
+  const InvolvedParticle<Number>* of(int particle) const { return find(involved, particle); }
+  InvolvedParticle<Number>* of(int particle) { return find(involved, particle); }
+
+ private:
+  template <typename Particles>
+  static auto find(Particles& particles, int particle) -> decltype(particles.data()) {
+    for (auto& p : particles) {
       if (p.particle == particle) return &p;
     }
     return nullptr;

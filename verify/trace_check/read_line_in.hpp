@@ -176,7 +176,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
     for (const auto [key, value] : before) {
       const Pointer at{&kPre, key};
       const int index = particle_named(key, at);
-      auto* p = const_cast<InvolvedParticle<Number>*>(event.of(index));
+      InvolvedParticle<Number>* p = event.of(index);
       if (p == nullptr) problem(at, "is not in \"post\"");
       if (p->velocity_before || p->position_before) problem(at, "stands twice in the line");
       dom::element velocity, position;

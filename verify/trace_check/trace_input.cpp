@@ -151,7 +151,7 @@ TraceInput::TraceInput(const std::string& path, const std::string& scene_file, s
     : descriptor_{opened(path)},
       stop_(std::move(stop)),
       reader_(
-          descriptor_.number, kLongestHeader, [] {}, stop_) {
+          path == "-" ? "standard input" : path, descriptor_.number, kLongestHeader, [] {}, stop_) {
   const std::string file = path == "-" ? "standard input" : path;
   const LineReader::Result first = reader_.next();
   if (first.status == LineReader::Status::end) fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
