@@ -116,14 +116,18 @@ Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& eve
   return c.mu / 2 * (1 - coefficient * coefficient) * c.v_n * c.v_n;
 }
 
-Real directed_change(const Replay& before, const TracedEvent& event, const LoadedNode& node, Real u) {
-  Real coordinates = 0, speeds = node.speeds;
-  for (const auto& [id, state] : event.post) {
-    coordinates = std::max(coordinates, state.position.norm());
-    speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
-  }
-  const Real distance = (event.post.at(*event.i).position - event.post.at(*event.j).position).norm();
-  return std::sqrt(Real(before.dimension())) * u * kSpare * speeds * (54 + 4 * coordinates / distance);
+Real directed_change(const Replay& before, const TracedEvent& event, Real u) {
+  const bool restitution = event.kind == "restitute";
+  if (!restitution && (!event.is_collision() || event.is_load())) return 0;
+  const Collided c = collided(before, event);
+  const TracedState &i = event.post.at(*event.i), &j = event.post.at(*event.j);
+  const LoadedNode* node = restitution ? before.node(c.i, c.j) : nullptr;
+  const Real speeds = c.v_i.norm() + c.v_j.norm() + i.velocity.norm() + j.velocity.norm() +
+                      (node != nullptr ? node->speeds : 0);
+  const Real turn = restitution ? 4 * std::max(i.position.norm(), j.position.norm()) / c.distance : 0;
+  const Real error = u * kSpare * speeds * (54 + turn);
+  if (std::abs(c.v_n - event.dp.value().dot(c.axis) / c.mu) > error) return 0;
+  return std::sqrt(Real(before.dimension())) * error;
 }
 
 Real tether_impulse(const Replay& before, const Collided& c) {

@@ -29,10 +29,11 @@ Point load_velocity(const Collided& c);
 /// with Δp = 0.
 Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& event);
 
-/// By how much directed rounding (D22) may change the velocity of the lighter body at a restitution
-/// (docs/engine.md): √D times what v_n' may be wrong by, 54 u of the speeds then and before the load, where
-/// Δp_AB was rounded, and the turn of the axis.
-Real directed_change(const Replay& before, const TracedEvent& event, const LoadedNode& node, Real u);
+/// By how much directed rounding (D22) may change the velocity of the lighter body at an event that parts two
+/// bodies (docs/engine.md): √D times what v_n' may be wrong by, 54 u of the speeds before and after and, at a
+/// restitution, of those before the load, where Δp_AB was rounded, and the turn of the axis. Nothing where
+/// v_n' by eq. (3) is larger than that, since its sign is then right.
+Real directed_change(const Replay& before, const TracedEvent& event, Real u);
 
 /// |Δp| of the tether's response, were it not broken.
 Real tether_impulse(const Replay& before, const Collided& c);

@@ -47,10 +47,9 @@ std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent
     if (before.is_fixed(p)) continue;
     const Point v = event.pre.at(before.id_of(p)).velocity, w = event.post.at(before.id_of(p)).velocity;
     const Point expected = v + sign * node->dp / node->mass_of(p);
-    if (auto fault =
-            beyond("velocity of " + std::to_string(before.id_of(p)) + " after the restitution",
-                   (w - expected).norm(),
-                   4 * u * kSpare * (v.norm() + w.norm()) + directed_change(before, event, *node, u)))
+    if (auto fault = beyond("velocity of " + std::to_string(before.id_of(p)) + " after the restitution",
+                            (w - expected).norm(),
+                            4 * u * kSpare * (v.norm() + w.norm()) + directed_change(before, event, u)))
       return fault;
   }
   return std::nullopt;
@@ -156,7 +155,7 @@ RunVerdict order_is_irrelevant(const Scene& scene, Simulator& simulator) {
         if (!open) open = Unwinding{unwound_from_below(before, *body), 0, 0};
         const LoadedNode* node = before.node(i, j);
         if (node == nullptr) return "a restitution of a pair that is not loaded";
-        open->directed += directed_change(before, event, *node, u);
+        open->directed += directed_change(before, event, u);
         for (const auto& [id, state] : event.post)
           open->speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
         Replay after = before;

@@ -1,6 +1,5 @@
 #include "properties/runs/judge.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,27 +13,26 @@ namespace {
 
 constexpr std::size_t kDigitsOfAPart = std::numeric_limits<Real>::digits / 4;
 
-Real digits_as_number(std::string_view digits, long exponent_of_last) {
+/// The Real nearest to a number by its first 64 bits and the digit behind them.
+Real leading_part(const HexDigits& number) {
+  const std::string_view digits = std::string_view(number.digits).substr(0, kDigitsOfAPart);
   Real value = 0;
   for (const char digit : digits) value = value * 16 + Real(digit <= '9' ? digit - '0' : digit - 'a' + 10);
-  return std::ldexp(value, static_cast<int>(exponent_of_last));
+  const std::size_t behind = number.digits.size() - digits.size();
+  if (behind > 0 && number.digits[digits.size()] >= '8') value += 1;
+  const Real size = std::ldexp(value, static_cast<int>(number.exponent + 4 * static_cast<long>(behind)));
+  return number.negative ? -size : size;
 }
 
 }  // namespace
 
 Instant read_instant(std::string_view hex) {
   if (hex == "inf") return {std::numeric_limits<Real>::infinity(), 0};
-  const std::optional<HexDigits> split = split_hex(hex);
-  if (!split) throw std::invalid_argument("'" + std::string(hex) + "' is no hexadecimal float");
-  const std::string_view digits = split->digits;
-  const std::size_t first = std::min(digits.size(), kDigitsOfAPart);
-  const std::size_t second = std::min(digits.size(), 2 * kDigitsOfAPart) - first;
-  const auto exponent = [&](std::size_t behind) {
-    return split->exponent + 4 * static_cast<long>(digits.size() - behind);
-  };
-  const Real hi = digits_as_number(digits.substr(0, first), exponent(first));
-  const Real lo = digits_as_number(digits.substr(first, second), exponent(first + second));
-  return split->negative ? Instant{-hi, -lo} : Instant{hi, lo};
+  const std::optional<HexDigits> number = split_hex(hex);
+  if (!number) throw std::invalid_argument("'" + std::string(hex) + "' is no hexadecimal float");
+  const Real hi = leading_part(*number);
+  const HexDigits terms[] = {*number, hex_digits(-hi)};
+  return {hi, leading_part(exact_sum(terms))};
 }
 
 Real read_real(std::string_view hex) {

@@ -22,7 +22,8 @@ inline Real elapsed(const Instant& earlier, const Instant& later) {
   return (later.hi - earlier.hi) + (later.lo - earlier.lo);
 }
 
-/// The number that a hexadecimal float of any length spells, as two parts of 64 bits. "inf" is infinite.
+/// The number that a hexadecimal float of any length spells: its first 64 bits, and the first 64 of what is
+/// left, however far behind: late in a run the lo of a time is many orders below its hi. "inf" is infinite.
 /// Throws std::invalid_argument for any other text.
 Instant read_instant(std::string_view hex);
 

@@ -52,19 +52,17 @@ Real energy_share(const Replay& before, const Replay& after, const TracedEvent& 
   return share;
 }
 
-/// What directed rounding may change of a momentum and of an energy at a restitution, whose Δp_AB was rounded
-/// at the speeds before the load. At a collision it is below the roundings that are counted.
+/// What directed rounding may change of a momentum and of an energy, by the lighter of the two bodies.
 struct Directed {
   Real momentum = 0, energy = 0;
 };
 Directed directed(const Replay& before, const Replay& after, const TracedEvent& event, Real u) {
-  if (event.kind != "restitute") return {};
-  const int i = before.index_of(*event.i), j = before.index_of(*event.j);
-  const LoadedNode* node = before.node(i, j);
-  if (node == nullptr) return {};
-  const Real momentum = std::min(node->mass_i, node->mass_j) * directed_change(before, event, *node, u);
+  const Real change = directed_change(before, event, u);
+  if (change == 0) return {};
+  const Collided c = collided(before, event);
+  const Real momentum = std::min(c.mass_i, c.mass_j) * change;
   return {momentum,
-          momentum * std::max(speeds_in_frame(i, before, after), speeds_in_frame(j, before, after))};
+          momentum * std::max(speeds_in_frame(c.i, before, after), speeds_in_frame(c.j, before, after))};
 }
 
 /// The impulse on the body of i (sign −1: of j) that an infinite mass gave; nothing where none took part.
@@ -133,11 +131,13 @@ std::optional<std::string> accounts_for_energy(const Replay& before, const Trace
       64 * u * kSpare * energy_share(before, after, event) + directed(before, after, event, u).energy);
 }
 
-/// Velocities after an impulse or a load, by eqs. (3) and (6): 2u of |v| + |v'|; 6u for (6).
+/// Velocities after an impulse or a load, by eqs. (3) and (6): 2u of |v| + |v'|; 6u for (6). Directed
+/// rounding changes the lighter body, of equal masses either.
 std::optional<std::string> moves_bodies(const Replay& before, const TracedEvent& event, const Collided& c,
                                         Real u) {
   const bool load = event.is_load();
   const Point common = load_velocity(c);
+  const Real directed = directed_change(before, event, u);
   for (const auto& [id, state] : event.post) {
     const int p = before.index_of(id);
     const Point& v = before.flight(p).velocity;
@@ -147,8 +147,10 @@ std::optional<std::string> moves_bodies(const Replay& before, const TracedEvent&
     const Point change = of_i ? Point(impulse / c.mass_i) : Point(-impulse / c.mass_j);
     const Point expected = load ? common : Point(v + change);
     const Real speeds = v.norm() + state.velocity.norm() + (load ? c.v_AB.norm() : 0);
+    const bool lighter = of_i ? c.mass_i <= c.mass_j : c.mass_j <= c.mass_i;
     if (auto fault = beyond("velocity of " + std::to_string(id) + " after the event",
-                            (state.velocity - expected).norm(), (load ? 8 : 2) * 2 * u * kSpare * speeds))
+                            (state.velocity - expected).norm(),
+                            (load ? 8 : 2) * 2 * u * kSpare * speeds + (lighter ? directed : 0)))
       return fault;
     if (load && state.velocity != event.post.begin()->second.velocity &&
         !before.is_fixed(before.index_of(event.post.begin()->first)))
