@@ -110,8 +110,8 @@ TPS.List = class {
     if (!step || !this.shown.length) return;
     event.preventDefault();
     event.stopPropagation();
-    let place = this.shown.findIndex((e) => e >= this.at);
-    if (place < 0) place = this.shown.length - 1;
+    let place = this.at < 0 ? -1 : this.shown.findIndex((e) => e >= this.at);
+    if (place < 0 && this.at >= 0) place = this.shown.length - 1;
     this.chosen(this.shown[Math.max(0, Math.min(this.shown.length - 1, place + step))]);
   }
 };

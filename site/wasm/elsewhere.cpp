@@ -1,0 +1,49 @@
+// What pages do not ask for is not in the WebAssembly build: runs and evaluations in other scalars.
+#include <stdexcept>
+
+#include "reference/run/run_scalar.hpp"
+#include "reference/scalars.hpp"
+#include "verify/eval/evaluate.hpp"
+
+namespace tps {
+namespace {
+
+[[noreturn]] void lacking(const char* scalar) {
+  throw std::invalid_argument(std::string("pages compute in float, double and mp50, not in ") + scalar);
+}
+
+}  // namespace
+
+RunSummary run_float(const Scene&, const RunOptions&, const ResumePoint*) {
+  lacking("float, where it is a run");
+}
+RunSummary run_long_double(const Scene&, const RunOptions&, const ResumePoint*) {
+  lacking("long-double");
+}
+RunSummary run_quad(const Scene&, const RunOptions&, const ResumePoint*) {
+  lacking("quad");
+}
+RunSummary run_mp50(const Scene&, const RunOptions&, const ResumePoint*) {
+  lacking("mp50, where it is a run");
+}
+RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
+  lacking("mp100");
+}
+
+namespace eval {
+
+template <>
+Report evaluate_in<long double>(const Operation&, const Input&, std::string_view) {
+  lacking("long-double");
+}
+template <>
+Report evaluate_in<Quad>(const Operation&, const Input&, std::string_view) {
+  lacking("quad");
+}
+template <>
+Report evaluate_in<Mp100>(const Operation&, const Input&, std::string_view) {
+  lacking("mp100");
+}
+
+}  // namespace eval
+}  // namespace tps

@@ -1,0 +1,191 @@
+#include "site/wasm/facade.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "reference/run/run.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "reference/scene/write_scene.hpp"
+#include "reference/text/input_error.hpp"
+#include "reference/text/json_document.hpp"
+#include "reference/text/number_text.hpp"
+#include "reference/text/plain_json.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/certified/timing_input.hpp"
+#include "verify/eval/evaluate.hpp"
+#include "verify/eval/input.hpp"
+#include "verify/exact/rounded_time.hpp"
+#include "verify/exact/time_order.hpp"
+#include "verify/scenes/registry.hpp"
+
+namespace tps::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string kSource = "the request";
+
+const JsonValue& member(const JsonValue& request, const char* key) {
+  const JsonValue* value = request.find(key);
+  if (value == nullptr) throw std::invalid_argument(std::string("the request has no \"") + key + "\"");
+  return *value;
+}
+
+const std::string& text(const JsonValue& request, const char* key) {
+  const std::string* value = member(request, key).string();
+  if (value == nullptr) throw std::invalid_argument(std::string("\"") + key + "\" is not a string");
+  return *value;
+}
+
+std::optional<double> number(const JsonValue& request, const char* key) {
+  const JsonValue* value = request.find(key);
+  if (value == nullptr || value->number() == nullptr) return std::nullopt;
+  return value->number()->value;
+}
+
+Json operations() {
+  Json list = Json::array();
+  for (const eval::Operation& operation : eval::operations()) {
+    list.push_back({{"name", operation.name},
+                    {"equation", operation.equation},
+                    {"what", operation.what},
+                    {"keys", operation.keys}});
+  }
+  return {{"operations", list}};
+}
+
+Json quantities_json(const std::vector<eval::Quantity>& quantities) {
+  Json list = Json::array();
+  for (const eval::Quantity& q : quantities) {
+    Json decimal = Json::array(), hex = Json::array();
+    for (const eval::Number& n : q.numbers) {
+      decimal.push_back(n.decimal);
+      hex.push_back(n.hex);
+    }
+    list.push_back({{"key", q.key},
+                    {"symbol", q.symbol},
+                    {"formula", q.formula},
+                    {"vector", q.is_vector},
+                    {"decimal", decimal},
+                    {"hex", hex},
+                    {"word", q.word}});
+  }
+  return list;
+}
+
+Json evaluated(const JsonValue& request) {
+  const eval::Operation* operation = eval::find_operation(text(request, "op"));
+  if (operation == nullptr) throw std::invalid_argument("no operation " + text(request, "op"));
+  const eval::Input input = eval::read_value(*operation, member(request, "in"), kSource, "/in");
+  const eval::Report report = eval::evaluate(*operation, input, text(request, "scalar"));
+  return {{"steps", quantities_json(report.steps)}, {"results", quantities_json(report.results)}};
+}
+
+exact::TimingQuery timing(const JsonValue& in, std::string_view kind, const std::string& pointer) {
+  if (kind != "block" && kind != "tether")
+    throw std::invalid_argument("\"kind\" is neither \"block\" nor \"tether\"");
+  const bool block = kind == "block";
+  const eval::Operation& operation = *eval::find_operation(block ? "block_time" : "tether_time");
+  return certified::TimingInput{
+      block ? exact::Kind::block : exact::Kind::tether,
+      eval::read_object(operation.name, operation.keys, in, kSource, pointer, "kind")}
+      .query();
+}
+
+Json certified_answer(const JsonValue& request) {
+  const std::string& op = text(request, "op");
+  const JsonValue& in = member(request, "in");
+  exact::Counters counters;
+  if (op == "order") {
+    const JsonValue &first = member(in, "first"), &second = member(in, "second");
+    return {{"order",
+             exact::name(exact::time_order(timing(first, text(first, "kind"), "/in/first"),
+                                           timing(second, text(second, "kind"), "/in/second"), counters))}};
+  }
+  if (op != "block_time" && op != "tether_time")
+    throw std::invalid_argument("certified answers are to block_time, tether_time and order");
+  const exact::TimingAnswer answered =
+      exact::rounded_time(timing(in, op == "block_time" ? "block" : "tether", "/in"), counters);
+  return {{"verdict", name(answered.verdict)},
+          {"t", answered.t ? Json(write_hex_float(*answered.t)) : Json()}};
+}
+
+/// Where A and B are at a time: the inside of eq. (1)'s root, for pictures.
+Json flown(const JsonValue& request) {
+  const eval::Operation& operation = *eval::find_operation("distance");
+  const eval::Input input = eval::read_value(operation, member(request, "in"), kSource, "/in");
+  const double t = input.values.at("dt")[0];
+  Json places;
+  for (const auto& [place, u, v] : {std::array{"A", "u_A", "v_A"}, std::array{"B", "u_B", "v_B"}}) {
+    for (std::size_t k = 0; k < input.values.at(u).size(); ++k)
+      places[place].push_back(write_hex_float(input.values.at(u)[k] + input.values.at(v)[k] * t));
+  }
+  return places;
+}
+
+Json built_scene(const JsonValue& request) {
+  OptionValues values;
+  if (const JsonValue* options = request.find("options")) {
+    for (const JsonMember& option : *options->object()) values[option.key] = *option.value.string();
+  }
+  const Scene scene = scene_builder(text(request, "name")).build(values);
+  return {{"scene", Json::parse(write_scene(scene, SceneStyle::compact))}};
+}
+
+Json run(const JsonValue& request) {
+  const std::string trace =
+      (std::filesystem::temp_directory_path() / ("tps-web-" + std::to_string(::getpid()) + ".ndjson"))
+          .string();
+  certified::ExactTiming certifier;
+  RunOptions options;
+  options.trace = trace;
+  options.until = number(request, "until");
+  if (const auto most = number(request, "max_events")) options.max_events = static_cast<std::uint64_t>(*most);
+  if (request.find("timing") != nullptr) {
+    const auto timing = timing_named(text(request, "timing"));
+    if (!timing) throw std::invalid_argument("no timing " + text(request, "timing"));
+    options.timing = *timing;
+  }
+  if (options.timing == Timing::certified) options.certifier = &certifier;
+  const RunSummary summary =
+      run_scene(read_scene_value(member(request, "scene"), kSource, "/scene"), options);
+  std::ostringstream lines;
+  lines << std::ifstream(trace).rdbuf();
+  std::filesystem::remove(trace);
+  return {{"trace", lines.str()},
+          {"end", summary.end},
+          {"events", summary.events},
+          {"stalled_on", summary.stalled_on}};
+}
+
+Json answered(std::string_view text_of_request) {
+  const JsonDocument document = parse_json(text_of_request, kSource);
+  document.problems.throw_if_any();
+  const std::string& what = text(document.root, "do");
+  if (what == "operations") return operations();
+  if (what == "eval") return evaluated(document.root);
+  if (what == "certified") return certified_answer(document.root);
+  if (what == "flight") return flown(document.root);
+  if (what == "scene") return built_scene(document.root);
+  if (what == "run") return run(document.root);
+  throw std::invalid_argument("nothing is done by \"" + what + "\"");
+}
+
+}  // namespace
+
+std::string answer(std::string_view request) {
+  try {
+    return json_text(answered(request));
+  } catch (const std::exception& error) {
+    return json_text(Json{{"error", error.what()}});
+  }
+}
+
+}  // namespace tps::web
