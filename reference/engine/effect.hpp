@@ -63,6 +63,9 @@ class Effect {
   }
   virtual bool predicts_pairs() const { return false; }
 
+  /// The exact moment of one of its events that is no pair's. REQUIRES certified timing.
+  virtual Moment moment(const World<Scalar, D>& world, const PendingEvent<Scalar>& event) const;
+
   /// Queues again what a change of these particles has voided, other than events of pairs.
   virtual void refresh(World<Scalar, D>&, const std::vector<int>& /*touched*/) {}
 
@@ -80,5 +83,11 @@ class Effect {
   virtual Numbers numbers(const World<Scalar, D>&) const { return {}; }
   virtual void take_numbers(World<Scalar, D>&, const Numbers&) {}
 };
+
+/// What is known in advance is at its stored time.
+template <typename Scalar, int D>
+Moment Effect<Scalar, D>::moment(const World<Scalar, D>&, const PendingEvent<Scalar>& event) const {
+  return PairTiming<Scalar, D>::known(event.time);
+}
 
 }  // namespace tps

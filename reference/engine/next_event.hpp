@@ -95,8 +95,9 @@ class NextEventChoice {
   std::size_t exactly_first(const World<Scalar, D>& world, const Effects& effects) const {
     if (candidates_.size() == 1) return 0;
     const auto moment = [&](const Event& event) {
-      if (event.rank != Rank::collision) return world.timing.known(event.time);
-      const auto question = effects[world.index(event.effect)]->asks(world, event.first, event.second);
+      const Effect<Scalar, D>& effect = *effects[world.index(event.effect)];
+      if (event.rank != Rank::collision) return effect.moment(world, event);
+      const auto question = effect.asks(world, event.first, event.second);
       return world.timing.moment(world.view(event.first, event.second), *question);
     };
     std::size_t first = 0;

@@ -79,6 +79,30 @@ class PairTiming {
     return moment;
   }
 
+  /// The same of a plane, for a question that next() does not know.
+  static Moment moment(const Time<Scalar>& start, const TimingQuery& query) {
+    Moment moment = known(start);
+    moment.query = query;
+    return moment;
+  }
+
+  /// The exact answer to a question, its time rounded once; none where it is not valid. REQUIRES certified().
+  std::optional<Scalar> certified_time(const TimingQuery& query) const {
+    if constexpr (certifiable<Scalar>) {
+      if (!valid(query)) return std::nullopt;
+      const CollisionTime<double> answer = choice_.certifier->answer(query);
+      if (answer.t) return rounded(query, *answer.t);
+    }
+    return std::nullopt;
+  }
+
+  /// A vector of the scalar in doubles, as queries have it.
+  static std::array<double, 3> lifted(const Vector<Scalar, D>& x) {
+    std::array<double, 3> result{};
+    for (int k = 0; k < D; ++k) result[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
+    return result;
+  }
+
   /// A time that is not the answer to a query. REQUIRES certified().
   static Moment known(const Time<Scalar>& t) {
     return {static_cast<double>(t.hi), static_cast<double>(t.lo), std::nullopt, 1};
@@ -149,12 +173,6 @@ class PairTiming {
   static TimingQuery lifted_query(const View& pair, const Question& question) {
     return {question.kind,    lifted(pair.u_i), lifted(pair.u_j),
             lifted(pair.v_i), lifted(pair.v_j), static_cast<double>(question.distance)};
-  }
-
-  static std::array<double, 3> lifted(const Vector<Scalar, D>& x) {
-    std::array<double, 3> result{};
-    for (int k = 0; k < D; ++k) result[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
-    return result;
   }
 
   /// The scalar nearest to the exact time of which t is the nearest double.

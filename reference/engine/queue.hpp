@@ -20,6 +20,7 @@ enum class Rank : std::uint8_t {
   gravity,
   random_impulse,
   thermostat,
+  wall,
   collision,
 };
 

@@ -34,9 +34,11 @@ struct Record {
   std::optional<Vector<Scalar, D>> dv;  ///< of every finite mass, at an event that concerns all of them
   std::optional<Vector<Scalar, D>> dp_stored;  ///< Δp_AB of eq. (7), at a load
   TetherChange tether = TetherChange::none;
-  std::optional<double> draw;  ///< uniform in [0, 1): the random number that decided `tether`
-  std::vector<int> members;    ///< of the group after a load, ascending; empty where nothing was loaded
-  std::optional<int> detail;   ///< which phase, where `kind` is "phase"
+  std::optional<double> draw;       ///< uniform in [0, 1): the random number that decided `tether`
+  std::vector<int> members;         ///< of the group after a load, ascending; empty where nothing was loaded
+  std::optional<int> detail;        ///< which phase, where `kind` is "phase"
+  std::optional<std::size_t> wall;  ///< of the scene, where `kind` is "wall"
+  std::optional<int> face;          ///< of a box
 
   std::uint64_t k = 0;  ///< number of the event, from 1
   Time<Scalar> t;       ///< since the start

@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "reference/engine/all_pairs.hpp"
@@ -71,11 +71,12 @@ class Simulation {
   /// beyond it.
   Time<Scalar> next_time() { return next_event().time; }
 
-  /// Two particles that have an event which no time of the scalar reaches, where nothing is due before it.
-  std::optional<std::pair<int, int>> beyond_every_time() {
+  /// Who has an event which no time of the scalar reaches, where nothing is due before it.
+  std::optional<std::string> beyond_every_time() {
     const std::optional<PendingEvent<Scalar>>& next = next_event().event;
-    if (!next || next->rank != Rank::collision || next->time < Time<Scalar>::never()) return std::nullopt;
-    return std::pair(next->first, next->second);
+    if (!next || next->rank < Rank::wall || next->time < Time<Scalar>::never()) return std::nullopt;
+    if (next->rank == Rank::wall) return particle_name(world_.scene, next->first) + " and a wall";
+    return pair_name(world_.scene, next->first, next->second);
   }
 
   /// Processes the next event. REQUIRES that there is one up to the horizon. Throws OutOfRange: then the

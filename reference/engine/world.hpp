@@ -26,6 +26,7 @@
 #include "reference/equations/vector.hpp"
 #include "reference/scene/random.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/scene/surfaces.hpp"
 
 namespace tps {
 
@@ -70,7 +71,7 @@ class World {
   const Scalar& mass(int i) const { return masses_[index(i)]; }
   bool fixed(int i) const { return fixed_[index(i)] != 0; }
   const Vec& velocity(int i) const { return particles[index(i)].velocity; }
-  /// The common velocity of infinite masses; zero where there is none.
+  /// The common velocity of infinite masses, else that of all walls; zero where there is none.
   const Vec& frame_velocity() const { return frame_velocity_; }
   const Law<Scalar>& law(int i, int j) const { return laws.of(species(i), species(j)); }
   bool tethered(int i, int j) const {
@@ -152,6 +153,7 @@ World<Scalar, D>::World(const Scene& scene_in, const TimingChoice& timing_in)
       tethers(scene_in.particles.size()),
       responded(infinite_masses(scene_in)),
       is_touched_(scene_in.particles.size(), false) {
+  if (const auto V = velocity_of_walls(scene)) frame_velocity_ = lifted<Scalar, D>(*V);
   for (const Particle& p : scene.particles) {
     particles.push_back({lifted<Scalar, D>(p.position), lifted<Scalar, D>(p.velocity), {}});
     species_.push_back(p.species);

@@ -8,8 +8,9 @@
 
 namespace tps {
 
-/// Blocking (smaller root, approaching) or tethering (larger root, separating).
-enum class TimingKind { block, tether };
+/// Blocking (smaller root, approaching) or tethering (larger root, separating) of two particles; or a plane
+/// wall A that B approaches, n·(u_B − u_A) = L, which is linear in time.
+enum class TimingKind { block, tether, plane };
 
 /// When do A and B next reach the distance L? Positions u and velocities v at one instant, in any one
 /// consistent set of units. Planar states have z = 0; that is exact.
@@ -18,11 +19,12 @@ struct TimingQuery {
   std::array<double, 3> u_A, u_B;  ///< positions
   std::array<double, 3> v_A, v_B;  ///< velocities
   double L;                        ///< limiting distance: Δu_blocking or Δu_tethering
+  std::array<double, 3> normal{};  ///< n of a plane, as stored; A is any of its points
 };
 
 /// Whether the query has an answer: every number finite and L > 0.
 inline bool valid(const TimingQuery& query) {
-  for (const auto* x : {&query.u_A, &query.u_B, &query.v_A, &query.v_B}) {
+  for (const auto* x : {&query.u_A, &query.u_B, &query.v_A, &query.v_B, &query.normal}) {
     for (const double component : *x) {
       if (!std::isfinite(component)) return false;
     }

@@ -25,8 +25,8 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
   };
   const Time<double> last = clock_until<double>(scene, std::numeric_limits<double>::infinity());
   simulation.set_horizon(last);
-  if (const auto pair = simulation.beyond_every_time())
-    throw OutOfRange("the time of the next event of " + pair_name(scene, pair->first, pair->second));
+  if (const auto who = simulation.beyond_every_time())
+    throw OutOfRange("the time of the next event of " + *who);
   const Time<double> next = simulation.next_time();
   if (next != Time<double>::never() && next <= last) simulation.step();
   if (scene.drag && event.dt) event.dt = drag_time(scene.drag->gamma, whole(world.now), 0);

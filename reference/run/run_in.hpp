@@ -142,9 +142,9 @@ class RecordedRun {
 
   /// No event at any finite time: none at all, or one whose time the scalar does not reach.
   EndReason reason_of_silence() {
-    const auto pair = simulation_->beyond_every_time();
-    if (!pair) return EndReason::no_more_events;
-    out_of_range_ = "the time of the next event of " + pair_name(scene_, pair->first, pair->second);
+    const std::optional<std::string> who = simulation_->beyond_every_time();
+    if (!who) return EndReason::no_more_events;
+    out_of_range_ = "the time of the next event of " + *who;
     return EndReason::out_of_range;
   }
 

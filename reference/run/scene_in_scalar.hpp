@@ -12,6 +12,7 @@
 #include "reference/engine/range.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scalars.hpp"
+#include "reference/scene/surfaces.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/number_text.hpp"
 
@@ -40,6 +41,7 @@ class SceneInScalar {
       judge("/gravity/every", scene.gravity->every);
       judge_vector("/gravity/acceleration", scene.gravity->acceleration, "the acceleration");
     }
+    for (const Surface& surface : surfaces(scene)) judge_surface(surface);
     for (std::size_t n = 0; n < scene.impulses.size(); ++n) {
       const std::string at = "/impulses/" + std::to_string(n);
       judge(at + "/at", scene.impulses[n].at);
@@ -132,6 +134,22 @@ class SceneInScalar {
       add(at + "/tethering/distance", "is " + told(law.tethering->distance) +
                                           " and not above the blocking distance " +
                                           told(law.blocking->distance) + remedy());
+    }
+  }
+
+  void judge_surface(const Surface& surface) {
+    const std::string at = "/walls/" + std::to_string(surface.wall);
+    judge(at + "/c_rebound", surface.c_rebound);
+    judge_vector(at + "/velocity", surface.velocity, "the velocity");
+    for (std::size_t k = 0; k < D; ++k) {
+      if (!is_finite(Scalar(surface.point[k])))
+        add(at, "is at " + told(surface.point[k]) + ", which is infinite" + remedy());
+    }
+    for (const Species& species : scene_.species) {
+      const double L = touching_distance(surface, species.radius);
+      if (is_finite(species.mass) && (Scalar(L) == Scalar(0) || !is_finite(Scalar(L))))
+        add(at, "touches particles of " + species.name + " at " + told(L) + ", which is " +
+                    (Scalar(L) == Scalar(0) ? "zero" : "infinite") + remedy());
     }
   }
 

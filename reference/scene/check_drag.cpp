@@ -38,6 +38,14 @@ void check_drag(const Scene& scene, SceneSource& source) {
     if (species.random_impulses) refuse(source, at + "/random_impulses", "\"random_impulses\"");
     if (species.thermostat) refuse(source, at + "/thermostat", "\"thermostat\"");
   }
+  for (std::size_t k = 0; k < scene.walls.size(); ++k) {
+    if (scene.walls[k].velocity != Coordinates{})
+      source.report(
+          fmt::format("/walls/{}/velocity", k),
+          fmt::format("wall {} moves: no drag slows it, so that its path is not straight in the clock "
+                      "of a scene with \"drag\"; let it rest, or remove \"drag\"",
+                      k));
+  }
   for (std::size_t k = 0; k < source.particle_entries.size(); ++k) {
     const Particle& particle = scene.particles[k];
     const bool fixed = std::isinf(scene.species[static_cast<std::size_t>(particle.species)].mass);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "reference/scene/check_starts.hpp"
+#include "reference/scene/check_walls.hpp"
 #include "reference/text/json_pointer.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/schema_words.hpp"
@@ -262,7 +263,9 @@ void check_scene(const Scene& scene, SceneSource& source) {
   if (source.sound({"species", "grouping"})) check_kicks(scene, source);
   if (!source.sound({"species", "dimension", "particles"})) return;
   check_infinite_masses(scene, source);
-  if (source.sound({"drag", "gravity", "grouping", "impulses", "phases"})) check_drag(scene, source);
+  if (source.sound({"drag", "gravity", "grouping", "impulses", "phases", "walls"})) check_drag(scene, source);
+  if (source.sound({"grouping", "walls"})) check_walls(scene, source);
+  if (source.sound({"walls"})) check_starts_at_walls(scene, source);
   if (source.sound({"impulses"})) check_impulses(scene, source);
   if (source.sound({"pairs", "tethers"})) check_tethers(scene, source);
   if (source.sound({"pairs", "particles", "tethers"})) check_starts(scene, source);

@@ -117,6 +117,21 @@ struct Drag {
   bool operator==(const Drag&) const = default;
 };
 
+/// A wall: a body of infinite mass that no collision moves, at `point` + `velocity` · t, which particles of
+/// finite mass rebound from by eq. (4) when it touches them (semantics §5).
+struct Wall {
+  enum class Shape { plane, sphere, box };
+  Shape shape = Shape::plane;
+  Coordinates point{};   ///< through which a plane goes; centre of a sphere; lowest corner of a box
+  Coordinates normal{};  ///< of a plane, towards the particles; of unit length to rounding
+  Coordinates high{};    ///< highest corner of a box
+  double radius = 0;     ///< of a sphere
+  bool inside = true;    ///< particles are inside of a sphere or box; else outside of a sphere
+  double c_rebound = 1;
+  Coordinates velocity{};
+  bool operator==(const Wall&) const = default;
+};
+
 /// Grouping of nearly simultaneous collisions (eqs. 6-7).
 struct Grouping {
   double dt_restitute = 0;
@@ -158,6 +173,7 @@ struct Scene {
   std::optional<Grouping> grouping;
   std::optional<Gravity> gravity;
   std::optional<Drag> drag;
+  std::vector<Wall> walls;
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;

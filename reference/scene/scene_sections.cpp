@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/scene/read_wall.hpp"
 #include "reference/text/json_number.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/schema_words.hpp"
@@ -70,6 +71,7 @@ class Sections {
     read_particles();
     if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
     read_gravity();
+    read_walls();
     read_impulses();
     read_tethers();
     return scene_;
@@ -267,6 +269,22 @@ class Sections {
     if (gravity == nullptr || !source_.sound({"gravity"})) return;
     scene_.gravity = Gravity{read_vector(*gravity->find("acceleration"), "/gravity/acceleration"),
                              number(*gravity, "every")};
+  }
+
+  void read_walls() {
+    const JsonValue::Array& list = entries(root_, "walls");
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::string pointer = fmt::format("/walls/{}", k);
+      const auto vector = [this](const JsonValue& value, const std::string& at) {
+        return read_vector(value, at);
+      };
+      if (!sound(pointer)) continue;
+      if (has_one_shape(list[k])) {
+        scene_.walls.push_back(read_wall(list[k], pointer, vector));
+      } else {
+        source_.report(pointer, "a wall is one plane, sphere or box; make an entry of each");
+      }
+    }
   }
 
   void read_impulses() {

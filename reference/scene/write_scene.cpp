@@ -54,6 +54,7 @@ class Writer {
                                               {"every", text(scene_.gravity->every)}}));
     }
     if (scene_.drag) members.emplace_back("drag", object({{"gamma", text(scene_.drag->gamma)}}));
+    if (!scene_.walls.empty()) members.emplace_back("walls", lines(scene_.walls));
     if (!scene_.phases.empty()) members.emplace_back("phases", lines(scene_.phases));
     if (!scene_.impulses.empty()) members.emplace_back("impulses", lines(scene_.impulses));
     members.emplace_back("particles", lines(scene_.particles));
@@ -175,6 +176,26 @@ class Writer {
                        {"between", between(phase.species_a, phase.species_b)}};
     if (phase.form) members.emplace_back("form", rule(*phase.form));
     if (phase.breaks) members.emplace_back("break", rule(*phase.breaks));
+    return object(members);
+  }
+  Members shape_of(const Wall& wall) const {
+    const std::string point = vector(wall.point);
+    switch (wall.shape) {
+      case Wall::Shape::plane:
+        return {{"plane", object({{"through", point}, {"normal", vector(wall.normal)}})}};
+      case Wall::Shape::sphere:
+        return {{"sphere", object({{"centre", point},
+                                   {"radius", text(wall.radius)},
+                                   {"side", wall.inside ? "\"inside\"" : "\"outside\""}})}};
+      case Wall::Shape::box:
+        return {{"box", object({{"low", point}, {"high", vector(wall.high)}})}};
+    }
+    return {};
+  }
+  std::string entry(const Wall& wall) const {
+    Members members = shape_of(wall);
+    members.emplace_back("c_rebound", text(wall.c_rebound));
+    if (wall.velocity != Coordinates{}) members.emplace_back("velocity", vector(wall.velocity));
     return object(members);
   }
   std::string entry(const ScheduledImpulse& impulse) const {

@@ -239,7 +239,7 @@ class StateCheck {
   void check_counts() {
     static const std::set<std::string, std::less<>> kinds = {
         "rebound",        "retract",    "revolve", "break",       "restitute", "scheduled_impulse",
-        "random_impulse", "thermostat", "gravity", "phase_begin", "phase_end"};
+        "random_impulse", "thermostat", "gravity", "phase_begin", "phase_end", "wall"};
     static const std::vector<std::string> counters = {"#noise", "#first_noise", "#zero_impulse",
                                                       "#largest_group"};
     std::uint64_t events = 0;

@@ -81,6 +81,8 @@ std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
   line.append(scene.drag ? ",\"ds\":\"" : ",\"dt\":\"").append(to_hex(record.dt));
   line.append("\",\"kind\":\"").append(record.kind).append("\"");
   if (record.detail) line.append(",\"phase\":").append(std::to_string(*record.detail));
+  if (record.wall) line.append(",\"wall\":").append(std::to_string(*record.wall));
+  if (record.face) line.append(",\"face\":").append(std::to_string(*record.face));
   if (record.i >= 0) line.append(",\"i\":").append(id(record.i));
   if (record.j >= 0 && record.j != record.i) line.append(",\"j\":").append(id(record.j));
   if (!record.involved.empty()) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tests/run/traced_run.hpp"
@@ -32,27 +31,6 @@ std::map<int, std::vector<double>> times_by_particle(const testing::TracedRun& r
     if (event.kind == kind) times[event.i].push_back(event.t);
   }
   return times;
-}
-
-double number(const nlohmann::json& hex) {
-  return std::strtod(hex.get<std::string>().c_str(), nullptr);
-}
-
-/// From the last full state of a trace, each particle brought to its time.
-std::vector<Coordinates> positions_at_the_end(const testing::TracedRun& run) {
-  const std::string& line = *std::find_if(run.lines.rbegin(), run.lines.rend(), [](const std::string& text) {
-    return text.starts_with("{\"state\":");
-  });
-  const nlohmann::json state = nlohmann::json::parse(line);
-  std::vector<Coordinates> positions;
-  for (const nlohmann::json& particle : state.at("particles")) {
-    const double since = number(state.at("now")[0]) - number(particle.at("clock")[0]);
-    Coordinates x{};
-    for (std::size_t k = 0; k < particle.at("position").size(); ++k)
-      x[k] = number(particle.at("position")[k]) + since * number(particle.at("velocity")[k]);
-    positions.push_back(x);
-  }
-  return positions;
 }
 
 // τ = 2 and 100 particles for a time of 100: 5000 impulses, ± 71.
@@ -169,7 +147,7 @@ TEST(Thermostat, FillsTheShellOfATether) {
   RunOptions options;
   options.state_every = 1000000;
   const testing::TracedRun run = testing::traced(scene, options);
-  const std::vector<Coordinates> end = positions_at_the_end(run);
+  const std::vector<Coordinates> end = testing::positions_at_the_end(run);
   double first = 0, second = 0;
   for (int n = 0; n < kPairs; ++n) {
     double square = 0;

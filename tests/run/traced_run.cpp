@@ -151,4 +151,21 @@ PairLaw& tether(Scene& scene, int a, int b, double distance, double c_retract, F
   return law;
 }
 
+std::vector<Coordinates> positions_at_the_end(const TracedRun& run) {
+  const auto number = [](const json& hex) { return std::strtod(hex.get<std::string>().c_str(), nullptr); };
+  const std::string& line = *std::find_if(run.lines.rbegin(), run.lines.rend(), [](const std::string& text) {
+    return text.starts_with("{\"state\":");
+  });
+  const json state = json::parse(line);
+  std::vector<Coordinates> positions;
+  for (const json& particle : state.at("particles")) {
+    const double since = number(state.at("now")[0]) - number(particle.at("clock")[0]);
+    Coordinates x{};
+    for (std::size_t k = 0; k < particle.at("position").size(); ++k)
+      x[k] = number(particle.at("position")[k]) + since * number(particle.at("velocity")[k]);
+    positions.push_back(x);
+  }
+  return positions;
+}
+
 }  // namespace tps::testing

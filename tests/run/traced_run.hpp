@@ -47,6 +47,9 @@ TracedRun traced(const Scene& scene, const std::string& scalar, std::optional<st
 /// The events of a trace.
 std::vector<TracedEvent> events_of(const std::string& bytes);
 
+/// From the last full state of a trace, each particle brought to its time, in the order of ids.
+std::vector<Coordinates> positions_at_the_end(const TracedRun& run);
+
 /// Runs that end by event count (max_events).
 RunOptions options_for(const std::string& scalar, std::optional<std::uint64_t> max_events = {});
 

@@ -91,6 +91,7 @@ std::optional<std::string> not_certified(const Scene& scene) {
   if (!scene.impulses.empty()) return "impulses";
   if (scene.gravity) return "gravity";
   if (scene.drag) return "drag";
+  if (!scene.walls.empty()) return "walls";
   for (const Species& species : scene.species) {
     if (species.random_impulses || species.thermostat) return "kicks at random times";
   }

@@ -10,6 +10,7 @@
 #include "verify/draw/elements.hpp"
 #include "verify/draw/palette.hpp"
 #include "verify/draw/view.hpp"
+#include "verify/draw/walls.hpp"
 
 namespace tps {
 namespace {
@@ -109,6 +110,7 @@ std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>
   for (std::size_t i = 0; i < drawing.seen.size(); ++i) {
     if (drawing.container[i]) svg += container_element(drawing.seen[i]);
   }
+  svg += wall_elements(scene, view_of(scene, positions, size), options.time.value_or(0));
   for (const Layer& layer : layers_of(drawing, tethers)) svg += layer.element;
   svg += "</g>\n";
   for (const std::string& line : legend) svg += line;

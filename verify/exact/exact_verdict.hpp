@@ -3,6 +3,7 @@
 
 #include "verify/exact/counters.hpp"
 #include "verify/exact/double_filter.hpp"
+#include "verify/exact/plane_query.hpp"
 #include "verify/exact/timing_query.hpp"
 #include "verify/exact/verdict.hpp"
 
@@ -25,6 +26,7 @@ VerdictWithCoefficients escalated_verdict(const TimingQuery& query, Counters& co
 ///   (3) 2^k (u, L) and 2^m v have the same verdict, wherever they are doubles;
 ///   (4) a common offset added exactly to both positions, or to both velocities, changes nothing.
 inline VerdictWithCoefficients verdict_with_coefficients(const TimingQuery& query, Counters& counters) {
+  if (query.kind == Kind::plane) return {plane_verdict(query, counters), {}};
   ++counters.verdict.calls;
   const Coefficients coefficients = double_coefficients(query);
   const std::optional<Verdict> verdict = coefficients.verdict(query.kind);

@@ -5,6 +5,7 @@
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/exact_root.hpp"
 #include "verify/exact/exact_verdict.hpp"
+#include "verify/exact/plane_time.hpp"
 #include "verify/exact/refined_root.hpp"
 
 namespace tps::exact {
@@ -33,6 +34,7 @@ std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoeff
 }
 
 double time_by_integers(const TimingQuery& query, Verdict verdict, Counters& counters) {
+  if (query.kind == Kind::plane) return rounded(plane_time(query, units_of(query)), 0);
   const LiftedQuadratic quadratic = lifted_quadratic(query, units_of(query));
   counters.largest_bits = std::max(counters.largest_bits, largest_bits(quadratic));
   return rounded(algebraic_time(query.kind, verdict, quadratic), quadratic.c);
@@ -53,6 +55,7 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
 
 TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters) {
   if (is_static(query)) return {Verdict::static_pair, std::nullopt};
+  if (query.kind == Kind::plane) return rounded_time(query, counters);
   const Verdict verdict = verdict_of(query.kind, lifted_quadratic(query, units_of(query)));
   if (!occurs(verdict)) return {verdict, std::nullopt};
   return {verdict, time_by_integers(query, verdict, counters)};

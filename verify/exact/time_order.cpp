@@ -7,6 +7,7 @@
 #include "verify/exact/double_time.hpp"
 #include "verify/exact/exact_order.hpp"
 #include "verify/exact/exact_verdict.hpp"
+#include "verify/exact/plane_time.hpp"
 #include "verify/exact/refined_root.hpp"
 
 namespace tps::exact {
@@ -105,6 +106,7 @@ std::optional<LiftUnits> units_of_queries(const Event& first, const Event& secon
 AlgebraicTime algebraic_time_of(const Event& event, const std::optional<LiftUnits>& units,
                                 Counters& counters) {
   if (event.at_start()) return {1, 0, 0, 0, 0};
+  if (event.query->kind == Kind::plane) return plane_time(*event.query, *units);
   const LiftedQuadratic quadratic = lifted_quadratic(*event.query, *units);
   counters.largest_bits = std::max(counters.largest_bits, largest_bits(quadratic));
   return algebraic_time(event.query->kind, event.known.verdict, quadratic);

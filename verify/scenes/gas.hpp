@@ -14,6 +14,7 @@ struct GasParams {
   double temperature = 1;
   double restitution = 1;
   double grouped = 0;
+  int walls = 0;  ///< 1: in a cube of walls instead of the membrane
   double duration = 10;
   std::uint64_t seed = 1;
 };
@@ -25,6 +26,10 @@ struct GasParams {
 /// specular while a sphere meets it at more than theta = 0.01° from the tangent. Throws std::invalid_argument
 /// when so many spheres do not fit at that density.
 Scene build_gas(const GasParams& params);
+
+/// The same in a cube, [0, edge] along each axis, whose edge is the smallest multiple of 1/1024 with at most
+/// that density; its faces are walls, which touch spheres at half a unit.
+Scene build_gas_in_cube(const GasParams& params);
 SceneBuilder gas_builder();
 
 }  // namespace tps

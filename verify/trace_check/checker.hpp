@@ -17,6 +17,7 @@
 #include "verify/trace_check/rules/scheduled.hpp"
 #include "verify/trace_check/rules/states.hpp"
 #include "verify/trace_check/rules/tethers.hpp"
+#include "verify/trace_check/rules/wall_rebound.hpp"
 #include "verify/trace_check/trace_facts.hpp"
 
 namespace tps::check {
@@ -47,6 +48,7 @@ class Checker {
   }
 
   Turn<Number> turn_of_event(const EventLine<Number>& event);
+  Turn<Number> turn_at_wall(const EventLine<Number>& event);
   void take_turn(const EventLine<Number>& event);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
 
@@ -54,6 +56,7 @@ class Checker {
   void note_told(int i, int j, const Told& told);
   void judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
+  void judge_at_walls(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_with_everybody(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void renew_anchors(const Instant<Number>& until, const Happening<Number>& happening);
   void place(int i, const Instant<Number>& now);

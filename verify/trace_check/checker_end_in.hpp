@@ -41,10 +41,12 @@ void Checker<Number>::judge_until_end(const Instant<Number>& end, Until until) {
   if (until == Until::last_event) {
     renew_anchors(end, happening);
     for (int i = 0; i < model_.size(); ++i) judge_meetings(i, end, happening);
+    for (int i = 0; i < model_.size(); ++i) judge_at_walls(i, end, happening);
     return;
   }
   judge_known_at_end(context_, end, until, left);
   judge_ahead(end, happening);
+  for (int i = 0; i < model_.size(); ++i) judge_at_walls(i, end, happening);
   judge_left(end, left);
 }
 

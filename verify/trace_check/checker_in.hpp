@@ -67,6 +67,7 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
     turn.t = event.t;
     return turn;
   }
+  if (event.kind == Kind::wall) return turn_at_wall(event);
   if constexpr (std::is_same_v<Number, double>) {
     const auto limit = limit_of(model_, event);
     if (c.certified() && limit) {
@@ -81,6 +82,22 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
   Turn<Number> turn = known_turn(c, event.t, rank(event.kind));
   turn.first = event.i;
   turn.second = event.j;
+  return turn;
+}
+
+/// The same of a particle that meets a wall.
+template <typename Number>
+Turn<Number> Checker<Number>::turn_at_wall(const EventLine<Number>& event) {
+  const Context<Number>& c = context_;
+  Turn<Number> turn = known_turn(c, event.t, rank(event.kind), event.i);
+  if constexpr (std::is_same_v<Number, double>) {
+    const std::optional<std::size_t> n = model_.wall_of(event);
+    if (c.certified() && n && !model_.fixed(event.i)) {
+      const auto exact = certified_turn(c, wall_flight(c, event.i, *n));
+      if (exact) turn = *exact;
+      turn.t = event.t;
+    }
+  }
   return turn;
 }
 
@@ -182,6 +199,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
     judge_members(c, event, false, Expected<W>{});
     judge_kick(c, event);
   }
+  if (event.kind == Kind::wall) judge_wall_rebound(c, event);
   if (event.kind == Kind::gravity) judge_gravity(c, event);
   if (is_phase(event.kind)) judge_phase(c, event);
 
@@ -194,8 +212,15 @@ void Checker<Number>::take(const EventLine<Number>& event) {
       happening.j = event.j;
       happening.outer = event.kind != Kind::rebound;
     }
+    if (event.kind == Kind::wall) {
+      happening.i = event.i;
+      happening.wall = model_.wall_of(event);
+    }
     renew_anchors(event.t, happening);
-    for (const int i : changing(event)) judge_meetings(i, event.t, happening);
+    for (const int i : changing(event)) {
+      judge_meetings(i, event.t, happening);
+      judge_at_walls(i, event.t, happening);
+    }
   }
   if (earliest_held_) tally_.pass(Rule::earliest);
   if (bounds_held_) tally_.pass(Rule::bounds);

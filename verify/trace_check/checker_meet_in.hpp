@@ -63,6 +63,24 @@ void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
   for (const int j : permanent_[Model<Number>::at(i)]) judge_meeting(i, j, until, happening);
 }
 
+/// What has been said about a particle and surface n is kept with what was said about it and particle −1 − n.
+template <typename Number>
+void Checker<Number>::judge_at_walls(int i, const Instant<Number>& until,
+                                     const Happening<Number>& happening) {
+  if (model_.fixed(i)) return;
+  const Turn<Number>* latest = turns_.latest_since(changed_at_[Model<Number>::at(i)]);
+  std::map<int, Told>& told = told_[Model<Number>::at(i)];
+  for (std::size_t n = 0; n < model_.walls.size(); ++n) {
+    const int key = -1 - static_cast<int>(n);
+    const auto found = told.find(key);
+    Told said = found == told.end() ? Told{} : found->second;
+    const Asked asked = judge_wall_flight(context_, i, n, until, latest, happening, said);
+    earliest_held_ = earliest_held_ && asked.earliest;
+    bounds_held_ = bounds_held_ && asked.bounds;
+    if (!asked.earliest || !asked.bounds) told[key] = said;
+  }
+}
+
 template <typename Number>
 void Checker<Number>::judge_with_everybody(int i, const Instant<Number>& until,
                                            const Happening<Number>& happening) {

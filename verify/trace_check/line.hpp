@@ -21,6 +21,7 @@ enum class Kind {
   revolve,
   broken,
   restitute,
+  wall,
   scheduled_impulse,
   random_impulse,
   thermostat,
@@ -30,9 +31,9 @@ enum class Kind {
 };
 
 /// As traces call them, in the order of the enumerators.
-constexpr std::string_view kKindNames[] = {"rebound",   "retract",           "revolve",        "break",
-                                           "restitute", "scheduled_impulse", "random_impulse", "thermostat",
-                                           "gravity",   "phase_begin",       "phase_end"};
+constexpr std::string_view kKindNames[] = {"rebound",    "retract", "revolve",           "break",
+                                           "restitute",  "wall",    "scheduled_impulse", "random_impulse",
+                                           "thermostat", "gravity", "phase_begin",       "phase_end"};
 
 constexpr std::string_view name(Kind kind) {
   return kKindNames[static_cast<int>(kind)];
@@ -75,6 +76,7 @@ struct EventLine {
   Kind kind;
   int i = -1, j = -1;
   std::optional<int> phase;
+  std::optional<int> wall, face;  ///< which a particle met
   std::vector<InvolvedParticle<Number>> involved;
   std::optional<Vec<Number>> dp, dp_stored, dv;
   std::optional<bool> formed;  ///< true: a tether formed, false: it broke

@@ -11,6 +11,7 @@
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/outside_kicks.hpp"
 #include "verify/trace_check/pair_rules.hpp"
+#include "verify/trace_check/wall_model.hpp"
 
 namespace tps::check {
 
@@ -57,8 +58,9 @@ class Model {
   RuleTable<Number> rules;
   bool eager = false;  ///< everybody is advanced, and rounded, at every event
   std::vector<Flight<Number>> flights;
-  std::vector<W> inverse_masses;       ///< 0 for an infinite mass
-  std::vector<std::set<int>> tethers;  ///< formed or listed, by particle
+  std::vector<W> inverse_masses;               ///< 0 for an infinite mass
+  const std::vector<WallModel<Number>> walls;  ///< surfaces, by their place in surfaces(scene)
+  std::vector<std::set<int>> tethers;          ///< formed or listed, by particle
   GroupModel<Number> groups;
   std::vector<PhaseChange> phase_changes;  ///< in their order
   OutsideKicks kicks;
@@ -94,6 +96,14 @@ class Model {
   int loads(int i) const {
     const Body<Number>* body = groups.body(i);
     return body != nullptr ? body->loads : 0;
+  }
+  /// Where the surface of an event is in `walls`; nothing where the scene has no such one.
+  std::optional<std::size_t> wall_of(const EventLine<Number>& event) const {
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+      const Surface& surface = walls[n].surface;
+      if (event.wall == static_cast<int>(surface.wall) && event.face == surface.face) return n;
+    }
+    return std::nullopt;
   }
   std::vector<int> members(int i) const {
     if (fixed(i)) return {};
@@ -168,6 +178,7 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
     : scene(scene_in),
       precision(precision_in),
       rules(scene_in, precision_in),
+      walls(wall_models(scene_in, precision_in)),
       tethers(scene_in.particles.size()),
       groups(scene_in.particles.size()),
       kicks(scene_in),

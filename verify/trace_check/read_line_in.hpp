@@ -11,9 +11,9 @@
 namespace tps::check {
 
 inline const std::vector<std::string>& event_keys() {
-  static const std::vector<std::string> keys = {"k",      "t",    "dt",      "kind", "i",         "j",
-                                                "phase",  "pre",  "post",    "dp",   "dp_stored", "dv",
-                                                "tether", "draw", "members", "s",    "ds"};
+  static const std::vector<std::string> keys = {
+      "k",         "t",  "dt",     "kind", "i",       "j", "phase", "pre",  "post", "dp",
+      "dp_stored", "dv", "tether", "draw", "members", "s", "ds",    "wall", "face"};
   return keys;
 }
 
@@ -69,9 +69,9 @@ class LineReading<Number>::Json : private LineValues<Number> {
     std::uint32_t seen = 0;
     for (const auto [key, value] : line) {
       const Pointer at{&kLine, key};
-      const auto place = std::find(event_keys().begin(), event_keys().end(), key);
-      if (place == event_keys().end()) unknown_key(at, key, event_keys());
-      const std::uint32_t bit = 1U << static_cast<unsigned>(place - event_keys().begin());
+      const auto known = std::find(event_keys().begin(), event_keys().end(), key);
+      if (known == event_keys().end()) unknown_key(at, key, event_keys());
+      const std::uint32_t bit = 1U << static_cast<unsigned>(known - event_keys().begin());
       if ((seen & bit) != 0) problem(at, "stands twice in the line");
       seen |= bit;
       if (key == "k") event.k = count(value, at);
@@ -96,8 +96,9 @@ class LineReading<Number>::Json : private LineValues<Number> {
       }
       if (key == "i") event.i = particle(value, at);
       if (key == "j") event.j = particle(value, at);
-      if (key == "phase")
-        event.phase = static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
+      if (key == "phase") event.phase = place(value, at);
+      if (key == "wall") event.wall = place(value, at);
+      if (key == "face") event.face = place(value, at);
       if (key == "dp") event.dp = vector(value, at);
       if (key == "dv") event.dv = vector(value, at);
       if (key == "dp_stored") event.dp_stored = vector(value, at);
@@ -113,6 +114,11 @@ class LineReading<Number>::Json : private LineValues<Number> {
     states(line, event);
     demand(event);
     return event;
+  }
+
+  /// A place in a list of the scene.
+  int place(dom::element value, const Pointer& at) const {
+    return static_cast<int>(std::min<std::uint64_t>(count(value, at), 1U << 30U));
   }
 
   static bool formed(std::string_view text) {
@@ -222,11 +228,14 @@ class LineReading<Number>::Json : private LineValues<Number> {
     forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
     need(e.dv.has_value() || e.kind != Kind::gravity || minimal(), "dv", e.kind);
     forbid(e.dv.has_value() && e.kind != Kind::gravity, "dv", e.kind);
+    need(e.wall.has_value() || e.kind != Kind::wall, "wall", e.kind);
+    forbid(e.wall.has_value() && e.kind != Kind::wall, "wall", e.kind);
+    forbid(e.face.has_value() && e.kind != Kind::wall, "face", e.kind);
     const bool of_nobody = is_phase(e.kind) || e.kind == Kind::gravity;
     forbid(e.i >= 0 && of_nobody, "i", e.kind);
     forbid(!e.involved.empty() && of_nobody, "post", e.kind);
     if (of_nobody) return;
-    const bool alone = is_kick(e.kind);
+    const bool alone = is_kick(e.kind) || e.kind == Kind::wall;
     need(e.i >= 0, "i", e.kind);
     need(e.j >= 0 || alone, "j", e.kind);
     forbid(e.j >= 0 && alone, "j", e.kind);

@@ -20,7 +20,8 @@ constexpr int rank(Kind kind) {
   if (kind == Kind::scheduled_impulse) return 2;
   if (kind == Kind::gravity) return 3;
   if (kind == Kind::random_impulse) return 4;
-  return kind == Kind::thermostat ? 5 : 6;
+  if (kind == Kind::thermostat) return 5;
+  return kind == Kind::wall ? 6 : 7;
 }
 
 /// What decides when something comes: its exact moment under certified timing, else its computed time; at one
@@ -29,7 +30,7 @@ template <typename Number>
 struct Turn {
   Instant<Number> t;             ///< computed, which is what a trace records
   std::optional<Moment> moment;  ///< under certified timing
-  int rank = 6;
+  int rank = 7;
   int first = -1, second = -1;  ///< particles; of a body twice its first one, of what concerns nobody −1
 };
 

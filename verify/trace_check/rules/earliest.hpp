@@ -29,7 +29,8 @@ struct LeftWaiting {
 template <typename Number>
 struct Happening {
   Instant<Number> t;
-  int i = -1, j = -1;  ///< of a collision, which is no longer waiting itself
+  int i = -1, j = -1;               ///< of a collision, which is no longer waiting itself
+  std::optional<std::size_t> wall;  ///< which i meets
   bool outer = false;
   Until until = Until::event;
   std::vector<LeftWaiting>* left = nullptr;  ///< filled at the duration of a certified run

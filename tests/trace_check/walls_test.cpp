@@ -1,0 +1,203 @@
+// The check and walls: honest runs conform in every scalar and timing; who rebounds at another time, from
+// another wall, with another impulse, or flies through one, is told by its rule.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "reference/run/resume.hpp"
+#include "reference/text/hexfloat.hpp"
+#include "tests/run/traced_run.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps {
+namespace walls_in_traces {
+
+using nlohmann::json;
+
+/// Balls of two kinds in a box with an obstacle, a leaning plane and a hollow that moves; with gravity at
+/// times.
+Scene walled(unsigned seed) {
+  Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
+  scene.seed = seed;
+  scene.duration = 12;
+  scene.species[0].random_impulses = RandomImpulses{1.7, 2, .3};
+  const int small = testing::add_species(scene, "small", .25, .2);
+  testing::block(scene, 0, 0, .9);
+  testing::block(scene, 0, small, 1);
+  testing::tether(scene, 0, small, 1.8, .7, FormRule::When::always);
+  if (seed % 3 == 0) scene.gravity = Gravity{{.1, -.3, 0}, .11};
+  Wall box;
+  box.shape = Wall::Shape::box;
+  box.point = {-3, -3, -2};
+  box.high = {3, 3, 2};
+  box.c_rebound = seed % 4 == 1 ? .8 : 1;
+  Wall obstacle;
+  obstacle.shape = Wall::Shape::sphere;
+  obstacle.inside = false;
+  obstacle.radius = .4;
+  obstacle.c_rebound = .9;
+  Wall hollow = obstacle;
+  hollow.inside = true;
+  hollow.radius = 3.6;
+  hollow.c_rebound = 1;
+  if (seed % 4 == 2) hollow.velocity = {.01, -.02, 0};
+  Wall plane;
+  plane.point = {0, 3.5, 0};
+  plane.normal = {.6, -.8, 0};
+  scene.walls = {box, obstacle, plane, hollow};
+  for (int n = 0; n < 3; ++n) {
+    testing::add_particle(scene, 0, {-1.2 + 1.2 * n, -1.5, 0}, {.8, .3 - .2 * n, 0});
+    testing::add_particle(scene, small, {-1.2 + 1.2 * n, .8 - .2 * n, 0}, {-.3, .9, seed % 2 == 1 ? .2 : 0});
+  }
+  return scene;
+}
+
+testing::TracedRun honest(const Scene& scene, const std::string& scalar, Timing timing) {
+  certified::ExactTiming certifier;
+  RunOptions options = testing::options_for(scalar, 200);
+  options.timing = timing;
+  options.certifier = &certifier;
+  return testing::traced(scene, options);
+}
+
+check::CheckReport checked(const std::string& bytes) {
+  const std::string path = testing::scratch("walls.ndjson");
+  testing::write_bytes(path, bytes);
+  const check::CheckReport report = check::check_trace(path, {});
+  std::filesystem::remove(path);
+  return report;
+}
+
+std::string first_finding(const check::CheckReport& report) {
+  return report.findings.empty() ? "" : report.findings.front().message;
+}
+
+TEST(CheckOfWalls, HonestRunsConform) {
+  std::uint64_t rebounds = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    for (const char* scalar : {"float", "double", "long-double", "quad", "mp50"}) {
+      const bool certifiable = scalar == std::string("float") || scalar == std::string("double");
+      if (!certifiable && seed > 1) continue;
+      for (const Timing timing : {Timing::stable, Timing::paper, Timing::certified}) {
+        if (timing == Timing::certified && !certifiable) continue;
+        const testing::TracedRun run = honest(walled(seed), scalar, timing);
+        rebounds += run.summary.by_kind.at("wall");
+        const check::CheckReport report = checked(run.bytes);
+        ASSERT_TRUE(report.conforming()) << seed << ' ' << scalar << ": " << first_finding(report);
+        EXPECT_LE(std::abs(run.summary.energy_remainder), run.summary.energy_bound) << seed << ' ' << scalar;
+        EXPECT_LE(run.summary.momentum_drift, run.summary.momentum_bound) << seed << ' ' << scalar;
+      }
+    }
+  }
+  EXPECT_GE(rebounds, 500U);
+}
+
+// Walls at rest are met in the clock of drag, in which paths are straight.
+TEST(CheckOfWalls, HonestRunsWithDragConform) {
+  for (const Timing timing : {Timing::stable, Timing::certified}) {
+    Scene scene = walled(4);
+    scene.species[0].random_impulses.reset();
+    scene.drag = Drag{.1};
+    const testing::TracedRun run = honest(scene, "double", timing);
+    EXPECT_GE(run.summary.by_kind.at("wall"), 10U);
+    const check::CheckReport report = checked(run.bytes);
+    EXPECT_TRUE(report.conforming()) << first_finding(report);
+  }
+}
+
+/// A trace with one rebound from a wall changed; left out where the edit says so.
+template <typename Edit>
+std::string with(const testing::TracedRun& run, int which, Edit edit) {
+  std::string bytes;
+  int seen = 0;
+  for (const std::string& line : run.lines) {
+    json event = json::parse(line);
+    if (event.value("kind", "") == "wall" && seen++ == which) {
+      if (edit(event)) bytes += event.dump() + "\n";
+    } else {
+      bytes += line + "\n";
+    }
+  }
+  return bytes;
+}
+
+double number(const json& hex) {
+  return std::strtod(hex.get<std::string>().c_str(), nullptr);
+}
+
+std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
+  std::uint64_t count = 0;
+  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
+  return count;
+}
+
+TEST(CheckOfWalls, LiesAreTold) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    for (const Timing timing : {Timing::stable, Timing::certified}) {
+      const testing::TracedRun run = honest(walled(seed), "double", timing);
+      for (const int which : {0, 3, 8}) {
+        const auto of = [&](check::Rule rule, auto edit) {
+          return violated(checked(with(run, which, edit)), rule);
+        };
+        const std::string where = std::to_string(seed) + ' ' + std::to_string(which);
+        EXPECT_GT(of(check::Rule::earliest, [](json&) { return false; }), 0U) << where;
+        const auto elsewhere = [](json& event) {
+          event["wall"] = (event["wall"].get<int>() + 1) % 4;
+          event.erase("face");
+          if (event["wall"] == 0) event["face"] = 0;
+          return true;
+        };
+        EXPECT_GT(of(check::Rule::contact, elsewhere), 0U) << where;
+        const auto unknown = [](json& event) {
+          event["wall"] = 9;
+          return true;
+        };
+        EXPECT_GT(of(check::Rule::contact, unknown), 0U) << where;
+        const auto pushed = [](json& event) {
+          event["dp"][0] = to_hex(number(event["dp"][0]) + 1e-13);
+          return true;
+        };
+        EXPECT_GT(of(check::Rule::impulse, pushed), 0U) << where;
+        const auto slower = [](json& event) {
+          for (json& state : event["post"]) {
+            for (json& v : state["velocity"]) v = to_hex(number(v) * (1 - 1e-13));
+          }
+          return true;
+        };
+        EXPECT_GT(of(check::Rule::impulse, slower), 0U) << where;
+        EXPECT_GT(of(check::Rule::conservation, slower), 0U) << where;
+        const auto straight_on = [](json& event) {
+          event["post"] = event["pre"];
+          for (json& component : event["dp"]) component = "0x0p+0";
+          return true;
+        };
+        EXPECT_GT(of(check::Rule::impulse, straight_on), 0U) << where;
+      }
+    }
+  }
+}
+
+TEST(CheckOfWalls, AResumedRunGoesOnToTheSameBytes) {
+  for (const Timing timing : {Timing::stable, Timing::certified}) {
+    certified::ExactTiming certifier;
+    RunOptions options = testing::options_for("double", 150);
+    options.state_every = 10;
+    options.timing = timing;
+    options.certifier = &certifier;
+    options.trace = testing::scratch("whole.ndjson");
+    run_scene(walled(3), options);
+    const std::string whole = testing::read_bytes(options.trace);
+    for (const std::size_t cut : {whole.size() / 3, whole.size() / 2}) {
+      testing::write_bytes(options.trace, whole.substr(0, cut));
+      resume_run(options.trace, options);
+      EXPECT_EQ(testing::read_bytes(options.trace), whole) << cut;
+    }
+    std::filesystem::remove(options.trace);
+  }
+}
+
+}  // namespace walls_in_traces
+}  // namespace tps

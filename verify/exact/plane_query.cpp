@@ -1,0 +1,76 @@
+#include "verify/exact/plane_query.hpp"
+
+#include <algorithm>
+
+#include "verify/exact/double_filter.hpp"
+#include "verify/exact/lifted_query.hpp"
+#include "verify/exact/plane_time.hpp"
+
+namespace tps::exact {
+namespace {
+
+/// n·r − L and n·v as integers: the first in units of length times unit of the normal.
+struct LiftedPlane {
+  Integer gap, w;
+};
+
+LiftedPlane lifted_plane(const TimingQuery& query, const LiftUnits& units) {
+  // Components are not above 2 in size, but a unit may be.
+  int unit = 0;
+  for (const double component : query.normal) unit = std::min(unit, unit_of(component));
+  LiftedPlane plane{-(lifted(query.L, units.length) << static_cast<unsigned>(-unit)), 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Integer n = lifted(query.normal[k], unit);
+    plane.gap += n * (lifted(query.u_B[k], units.length) - lifted(query.u_A[k], units.length));
+    plane.w += n * (lifted(query.v_B[k], units.speed) - lifted(query.v_A[k], units.speed));
+  }
+  return plane;
+}
+
+Verdict verdict_of(Sign gap, Sign w) {
+  if (w != Sign::negative) return Verdict::receding;
+  if (gap == Sign::positive) return Verdict::hit;
+  return gap == Sign::zero ? Verdict::contact : Verdict::overlap;
+}
+
+/// In double, where the sums are beyond their rounding: a difference, a product and two additions a term,
+/// and one more for L, are below 6u of the sum of sizes.
+std::optional<Verdict> verdict_in_double(const TimingQuery& query) {
+  double gap = -query.L, w = 0;
+  double gap_size = query.L, w_size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double of_r = query.normal[k] * (query.u_B[k] - query.u_A[k]);
+    const double of_v = query.normal[k] * (query.v_B[k] - query.v_A[k]);
+    gap += of_r;
+    gap_size += std::fabs(of_r);
+    w += of_v;
+    w_size += std::fabs(of_v);
+  }
+  constexpr double u = unit_roundoff;
+  const Sign of_w = sign_within(w, 8 * u * w_size + underflow_allowance);
+  if (of_w == Sign::uncertain) return std::nullopt;
+  if (of_w == Sign::positive) return Verdict::receding;
+  const Sign of_gap = sign_within(gap, 8 * u * gap_size + underflow_allowance);
+  if (of_gap == Sign::uncertain) return std::nullopt;
+  return verdict_of(of_gap, of_w);
+}
+
+}  // namespace
+
+Verdict plane_verdict(const TimingQuery& query, Counters& counters) {
+  ++counters.verdict.calls;
+  if (is_static(query)) return Verdict::static_pair;
+  if (const std::optional<Verdict> verdict = verdict_in_double(query)) return *verdict;
+  ++counters.verdict.uncertain;
+  ++counters.verdict.exact;
+  const LiftedPlane plane = lifted_plane(query, units_of(query));
+  counters.largest_bits = std::max({counters.largest_bits, bits_of(plane.gap), bits_of(plane.w)});
+  return verdict_of(sign_of(plane.gap), sign_of(plane.w));
+}
+
+AlgebraicTime plane_time(const TimingQuery& query, const LiftUnits& units) {
+  const LiftedPlane plane = lifted_plane(query, units);
+  return {-plane.w, -plane.gap, 0, 0, units.length - units.speed};
+}
+
+}  // namespace tps::exact

@@ -1,0 +1,13 @@
+// The time at which a particle reaches a plane, as integers. Heavy header: only sources of this folder
+// include it.
+#pragma once
+
+#include "verify/exact/exact_root.hpp"
+#include "verify/exact/timing_query.hpp"
+
+namespace tps::exact {
+
+/// t = (n·r − L)/(−n·v). REQUIRES a verdict `hit`, and units that divide the query's lengths and velocities.
+AlgebraicTime plane_time(const TimingQuery& query, const LiftUnits& units);
+
+}  // namespace tps::exact

@@ -1,0 +1,173 @@
+// Rules contact, impulse and conservation, for the rebound of a particle from a wall.
+#pragma once
+
+#include "verify/trace_check/rules/conservation.hpp"
+#include "verify/trace_check/rules/contact.hpp"
+#include "verify/trace_check/rules/wall_flight.hpp"
+
+namespace tps::check {
+
+/// The particle and the wall as two bodies: along a plane's normal, wherever on it the particle is.
+template <typename Number>
+BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Number>& event, std::size_t n) {
+  using W = Work<Number>;
+  const Model<Number>& model = c.model;
+  const WallModel<Number>& wall = model.walls[n];
+  const InvolvedParticle<Number>& p = *event.of(event.i);
+  BodiesNow<Number> b;
+  b.i = event.i;
+  b.j = -1;
+  b.v_i = widened<W>(p.velocity_before ? *p.velocity_before : model.flight(event.i).velocity);
+  b.v_j = widened<W>(wall.velocity);
+  b.v = b.v_j - b.v_i;
+  b.inverse_i = model.inverse_mass(event.i);
+  b.inverse_j = W(0);
+  b.mu = W(1) / b.inverse_i;
+  if (wall.is_plane()) {
+    b.r = W(-1) * widened<W>(wall.normal);
+    return b;
+  }
+  const Flight<Number> of_wall{wall.point, wall.velocity, {}, W(0)};
+  const Vec<W> centre = widened<W>(carried(of_wall, event.t, model.precision, b.blur));
+  if (!p.position_before) b.blur += model.blur(event.i) + c.time_error(event.t) * length(b.v);
+  b.r = centre - (p.position_before ? widened<W>(*p.position_before) : model.position(event.i, event.t));
+  return b;
+}
+
+namespace detail {
+
+/// Whether a rebound comes when the particle is at the surface.
+template <typename Number>
+void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event,
+                        const WallFlight<Number>& flight) {
+  using W = Work<Number>;
+  using std::abs;
+  const W dt = elapsed(flight.pair.start, event.t);
+  const auto describe = [&](Finding& f) {
+    const Due<W> expected = due(flight);
+    f.particles = {c.model.id(flight.i)};
+    f.equation = "(2)";
+    f.message = fmt::format(
+        "{} rebound after {}; on straight lines they {}", wall_name(c, flight), shown(dt),
+        expected.must_be_none
+            ? "never touch"
+            : fmt::format("touch between {} and {}", shown(expected.earliest), shown(expected.latest)));
+  };
+  if constexpr (std::is_same_v<Number, double>) {
+    if (c.certified()) {
+      c.tally.demand(Rule::contact,
+                     at_certified_time(c, event, flight.pair, flight.asked, timing_query(c, flight)),
+                     describe);
+      return;
+    }
+  }
+  const Due<W> expected = due(flight);
+  const W slack = c.time_error(event.t);
+  const bool in_time =
+      !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
+  const W off = flight.is_plane
+                    ? W(W(6) * abs(W(flight.gap - flight.towards * dt)) /
+                        (flight.gap_error + flight.towards_error * dt + abs(flight.towards) * slack))
+                    : W(W(6) * c.scale() * abs(flight.q.at(dt)) / flight.q.q_error);
+  const bool is_there = off <= W(6) * c.scale();
+  if (in_time && is_there)
+    c.tally.within(Rule::contact, as_double(off), 6, describe);
+  else
+    c.tally.demand(Rule::contact, false, describe);
+}
+
+/// What directed rounding may have moved the velocity by; an infinite mass keeps its own.
+template <typename Number>
+Work<Number> slack_at_wall(const Context<Number>& c, const EventLine<Number>& event,
+                           const BodiesNow<Number>& b, bool outer, const Vec<Work<Number>>& dp,
+                           const Work<Number>& error) {
+  using W = Work<Number>;
+  const W after = largest(widened<W>(event.of(b.i)->velocity_after));
+  const W still = largest(b.v_j);
+  const W stored = W(3) * c.u() * (after + still + b.inverse_i * largest(dp)) + b.inverse_i * error;
+  const W reach = largest(c.model.position(b.i, event.t)) + length(b.r);
+  const W turn = (W(4) * c.u() * reach + b.blur) / b.distance();
+  const W most = (W(54) * c.u() + turn) * W(2) * (largest(b.v_i) + after + W(2) * still);
+  return directed_slack(c, b, outer, Vec<W>(b.v - b.inverse_i * dp), stored, W(after + still), most).of_i;
+}
+
+}  // namespace detail
+
+/// The last rounding of the velocity is directed, so that the particle leaves the wall exactly (D25).
+template <typename Number>
+void judge_direction_at_wall(const Context<Number>& c, const EventLine<Number>& event, std::size_t n) {
+  const WallModel<Number>& wall = c.model.walls[n];
+  const InvolvedParticle<Number>& p = *event.of(event.i);
+  const bool moves = !(wall.velocity == Vec<Number>{});
+  // Where a moving centre is in a wider scalar is known to rounding only.
+  if (c.minimal || !p.position_before || (moves && !wall.is_plane() && !std::is_same_v<Number, double>))
+    return;
+  Work<Number> no_blur(0);
+  const Flight<Number> of_wall{wall.point, wall.velocity, {}, Work<Number>(0)};
+  const Vec<Number> centre = carried(of_wall, event.t, c.model.precision, no_blur);
+  const int sign =
+      wall.is_plane()
+          ? detail::exact_sign<Number>(wall.normal, Vec<Number>{}, p.velocity_after, wall.velocity)
+          : detail::exact_sign<Number>(*p.position_before, centre, p.velocity_after, wall.velocity);
+  const bool leaves = wall.is_inside() ? sign < 0 || p.velocity_after == wall.velocity : sign >= 0;
+  c.tally.demand(Rule::impulse, leaves, [&](Finding& f) {
+    f.message = fmt::format("particle {} leaves {} the wrong way by the last bits of its velocity (D22, D25)",
+                            c.model.id(event.i), surface_name(wall.surface));
+    f.equation = "(3)";
+  });
+}
+
+/// Everything about the rebound of a particle from a wall.
+template <typename Number>
+void judge_wall_rebound(const Context<Number>& c, const EventLine<Number>& event) {
+  using W = Work<Number>;
+  const std::optional<std::size_t> n = c.model.wall_of(event);
+  c.tally.demand(Rule::contact, n.has_value() && !c.model.fixed(event.i), [&](Finding& f) {
+    f.message = n ? fmt::format("particle {} has infinite mass; no wall blocks it", c.model.id(event.i))
+                  : "the scene has no such wall or face";
+  });
+  if (!n || c.model.fixed(event.i)) return;
+  const WallModel<Number>& wall = c.model.walls[*n];
+  const bool outer = wall.is_inside();
+  detail::judge_wall_contact(c, event, wall_flight(c, event.i, *n));
+  const BodiesNow<Number> b = bodies_at_wall(c, event, *n);
+  const Expected<W> expected{by_eq4(b, wall.c_rebound, outer, c.u()), kRoundingsOfImpulse, "(4)"};
+  const W bound = W(expected.roundings) * expected.response.error;
+  const auto about = [&](Finding& f) {
+    f.particles = {c.model.id(event.i)};
+    f.equation = "(4)";
+  };
+  if (event.dp) {
+    const W off = largest(widened<W>(*event.dp) - expected.response.dp);
+    c.tally.within(Rule::impulse, as_double(W(off / (expected.response.error + c.model.precision.smallest))),
+                   expected.roundings, [&](Finding& f) {
+                     about(f);
+                     const auto [found, right] =
+                         told_apart(widened<W>(*event.dp), expected.response.dp, c.model.scene.dimension);
+                     f.message = fmt::format("Δp of particle {} at {} is {}, but eq. (4) gives {}",
+                                             c.model.id(event.i), surface_name(wall.surface), found, right);
+                   });
+  }
+  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
+  const W error = event.dp ? W(0) : bound;
+  const W slack = detail::slack_at_wall(c, event, b, outer, dp, error);
+  judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + slack / b.inverse_i), b.inverse_i, 0);
+  judge_direction_at_wall(c, event, *n);
+  Balance<W> balance{};
+  balance.before_i = b.v_i;
+  balance.before_j = balance.after_j = b.v_j;
+  balance.after_i = widened<W>(event.of(b.i)->velocity_after);
+  balance.inverse_i = b.inverse_i;
+  balance.inverse_j = W(0);
+  balance.exchanged = largest(dp);
+  balance.directed.of_i = slack;
+  balance.v_after = expected.response.after;
+  balance.speed_error = bound;
+  balance.taken = expected.response.lost;
+  balance.energy_error = expected.response.lost_by_turning;
+  const std::string who = fmt::format("particle {} and {}", c.model.id(event.i), surface_name(wall.surface));
+  judge_energy(c, balance, who);
+  judge_angular_momentum(c, balance, b, who);
+}
+
+}  // namespace tps::check
