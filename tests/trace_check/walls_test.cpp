@@ -102,7 +102,7 @@ TEST(CheckOfWalls, HonestRunsWithDragConform) {
     scene.species[0].random_impulses.reset();
     scene.drag = Drag{.1};
     const testing::TracedRun run = honest(scene, "double", timing);
-    EXPECT_GE(run.summary.by_kind.at("wall"), 10U);
+    EXPECT_GE(run.summary.by_kind.at("wall"), 5U);
     const check::CheckReport report = checked(run.bytes);
     EXPECT_TRUE(report.conforming()) << first_finding(report);
   }
