@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "reference/equations/dyadic.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
@@ -73,14 +76,21 @@ bool leaves(Leaving leaving, const Vector<Scalar, D>& u_A, const Vector<Scalar, 
   return sign < 0 || v.v_A == v.v_B;
 }
 
+/// The components along which û is largest; of several, those in which the two are fastest. More than one are
+/// left where an exchange of axes may turn the pair into itself: then all of them have to change alike.
 template <typename Scalar, int D>
-int largest_component(const Vector<Scalar, D>& x) {
+std::vector<int> components_along(const Vector<Scalar, D>& r, const PairVelocities<Scalar, D>& v) {
   using std::abs;
-  int k = 0;
-  for (int n = 1; n < D; ++n) {
-    if (abs(x[n]) > abs(x[k])) k = n;
+  const auto rank = [&](int k) {
+    const Scalar x = abs(v.v_A[k]), y = abs(v.v_B[k]);
+    return std::tuple(Scalar(abs(r[k])), x > y ? x : y, x > y ? y : x, v.v_A[k] == -v.v_B[k]);
+  };
+  std::vector<int> all = {0};
+  for (int k = 1; k < D; ++k) {
+    if (rank(k) > rank(all.front())) all.clear();
+    if (all.empty() || rank(k) == rank(all.front())) all.push_back(k);
   }
-  return k;
+  return all;
 }
 
 /// Whose component x of A, y of B is set anew, where the two are not opposite: the choice depends on no name
@@ -100,9 +110,10 @@ bool changes_A(const Scalar& m_A, const Scalar& m_B, const Scalar& x, const Scal
 /// Where rounding (or an impulse too small for a mass) has left the wrong sign, one component of one
 /// velocity is set anew: of the lighter body, since its change carries the least momentum; of equal masses of
 /// the one that is faster along that component, or as fast and slowed by it; the component is that of the
-/// largest |u_B − u_A|. Equal masses that move oppositely along it are set anew both, and stay opposite: so
-/// names and mirrors change nothing. The value that makes v_n' = 0 is a quotient of exact sums, rounded once,
-/// outwards. Together with the rest of the velocities no number nearer to it has the right sign.
+/// largest |u_B − u_A|, of several that in which the two are fastest, of several again all of them alike.
+/// Equal masses that move oppositely along it are set anew both, and stay opposite: so names, mirrors and
+/// exchanged axes change nothing. The value that makes v_n' = 0 is a quotient of exact sums, rounded once,
+/// outwards. Where one component changes, no number nearer to it has the right sign.
 ///
 /// After a pull v_n' = 0 will do only for a pair at rest: across the axis it would leave at once, so that
 /// there one number further is taken.
@@ -111,10 +122,10 @@ bool changes_A(const Scalar& m_A, const Scalar& m_B, const Scalar& x, const Scal
 /// u_A ≠ u_B.
 /// Laws: (1) afterwards the exact v_n' is ≥ 0 (`apart`), < 0 or the pair at rest (`together`);
 /// (2) velocities that have the right sign are kept bitwise; (3) an infinite mass, and the heavier one,
-/// keeps its velocity; (4) at most one component changes, of both bodies only where they are equally heavy
-/// and opposite in it, by at most √D |v_n| of before, and one rounding; (5) applied twice it is as applied
-/// once; (6) lengths times 2^k change nothing, velocities times 2^k multiply by 2^k, bitwise. Not finite
-/// numbers are handed back as they are.
+/// keeps its velocity; (4) at most one component changes, and those that tie with it, of both bodies only
+/// where they are equally heavy and opposite in it, by at most √D |v_n| of before, and one rounding; (5)
+/// applied twice it is as applied once; (6) lengths times 2^k change nothing, velocities times 2^k multiply
+/// by 2^k, bitwise. Not finite numbers are handed back as they are.
 template <typename Scalar, int D>
 PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                    const std::type_identity_t<Scalar>& m_A,
@@ -124,34 +135,34 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
   const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
   if (!finite(u_A) || !finite(u_B) || !finite(v.v_A) || !finite(v.v_B)) return v;
   if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
-  const int k = detail::largest_component<Scalar, D>(u_B - u_A);
-  const Scalar &a = u_A[k], &b = u_B[k];
-  const Dyadic r_k = dyadic(b) - dyadic(a);
-  const Dyadic rest = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, k);
-  const bool B_goes_up = (r_k.sign() > 0) == (leaving == Leaving::apart);
-
-  // r_k (y − x) + rest = 0, x and y the components of A and B.
-  if (m_A == m_B && v.v_A[k] == -v.v_B[k]) {
-    const Rounding outwards = B_goes_up ? Rounding::up : Rounding::down;
-    Scalar y = rounded_quotient<Scalar>(-rest, r_k + r_k, outwards);
-    const auto both = [&] {
-      v.v_A[k] = -y;
-      v.v_B[k] = y;
-    };
-    both();
-    if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
-    y = next_number(y, outwards);
-    both();
-    return v;
+  const std::vector<int> components = detail::components_along<Scalar, D>(u_B - u_A, v);
+  const Dyadic r_w = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, -1);
+  const auto move = [&](Scalar& changed, const Dyadic& share, const Dyadic& toward_zero, Rounding outwards) {
+    // changed + toward_zero / share, where the other changes make up the rest of r·w.
+    changed = rounded_quotient<Scalar>(share * dyadic(changed) + toward_zero, share, outwards);
+  };
+  std::vector<std::pair<Scalar*, Rounding>> moved;
+  for (const int k : components) {
+    Scalar &x = v.v_A[k], &y = v.v_B[k];
+    const Dyadic r_k = dyadic(u_B[k]) - dyadic(u_A[k]);
+    const Dyadic share = dyadic(Scalar(static_cast<int>(components.size()))) * r_k;
+    const bool B_goes_up = (r_k.sign() > 0) == (leaving == Leaving::apart);
+    const Rounding out_B = B_goes_up ? Rounding::up : Rounding::down;
+    const Rounding out_A = B_goes_up ? Rounding::down : Rounding::up;
+    const bool both = m_A == m_B && x == -y;
+    const bool A = both || detail::changes_A<Scalar>(m_A, m_B, x, y, B_goes_up);
+    const Dyadic part = both ? share + share : share;
+    if (!A || both) {
+      move(y, part, -r_w, out_B);
+      moved.emplace_back(&y, out_B);
+    }
+    if (A) {
+      move(x, part, r_w, out_A);
+      moved.emplace_back(&x, out_A);
+    }
   }
-  const bool changes_A = detail::changes_A<Scalar>(m_A, m_B, v.v_A[k], v.v_B[k], B_goes_up);
-  Scalar& changed = changes_A ? v.v_A[k] : v.v_B[k];
-  const Scalar other = changes_A ? v.v_B[k] : v.v_A[k];
-  // x is (r_k y + rest)/r_k, y is (r_k x − rest)/r_k.
-  const Dyadic numerator = r_k * dyadic(other) + (changes_A ? rest : -rest);
-  const Rounding outwards = B_goes_up != changes_A ? Rounding::up : Rounding::down;
-  changed = rounded_quotient<Scalar>(numerator, r_k, outwards);
-  if (!detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) changed = next_number(changed, outwards);
+  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
+  for (const auto& [changed, outwards] : moved) *changed = next_number(*changed, outwards);
   return v;
 }
 

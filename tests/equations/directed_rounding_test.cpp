@@ -110,6 +110,54 @@ TYPED_TEST(DirectedRounding, TurnsEverySignByTheLeastChange) {
   EXPECT_GE(turned, cases / 2);  // a sign of rounding is wrong half of the time
 }
 
+/// A pair on a diagonal, where û is as large along one axis as along another; every other one is as fast
+/// along them, too.
+template <typename Scalar, int D>
+Answered<Scalar, D> on_a_diagonal(std::mt19937_64& random, int n) {
+  Answered<Scalar, D> c = at_rest_along_the_axis<Scalar, D>(random, n);
+  const Scalar a = Scalar(1 + n % 7);
+  const auto side = [&] { return random() % 2 == 0 ? a : Scalar(-a); };
+  c.u_A = Vector<Scalar, D>::Zero();
+  for (int k = 0; k < D; ++k) c.u_B[k] = side();
+  for (auto* v : {&c.after.v_A, &c.after.v_B}) {
+    if (random() % 2 == 0) {
+      for (int k = 1; k < D; ++k) (*v)[k] = random() % 2 == 0 ? (*v)[0] : Scalar(-(*v)[0]);
+    }
+  }
+  if (random() % 3 == 0) c.after.v_B = -c.after.v_A;
+  if (random() % 3 == 0) c.m_B = c.m_A;
+  return c;
+}
+
+template <typename Scalar, int D>
+Vector<Scalar, D> exchanged(Vector<Scalar, D> x) {
+  std::swap(x[0], x[1]);
+  return x;
+}
+
+/// @return whether directed rounding changed it.
+template <typename Scalar, int D>
+bool judge_exchange(const Answered<Scalar, D>& c) {
+  const auto turned = [](const auto& x) { return exchanged<Scalar, D>(x); };
+  const PairVelocities<Scalar, D> v = c.directed_after();
+  EXPECT_TRUE((detail::leaves<Scalar, D>(c.leaving, c.u_A, c.u_B, v)));
+  const PairVelocities<Scalar, D> other = directed<Scalar, D>(
+      turned(c.u_A), turned(c.u_B), c.m_A, c.m_B, {turned(c.after.v_A), turned(c.after.v_B)}, c.leaving);
+  EXPECT_TRUE(other.v_A == turned(v.v_A) && other.v_B == turned(v.v_B));
+  return v.v_A != c.after.v_A || v.v_B != c.after.v_B;
+}
+
+TYPED_TEST(DirectedRounding, ExchangedAxesChangeNothing) {
+  std::mt19937_64 random(20261126);
+  int turned = 0;
+  for (int n = 0; n < 300; ++n) {
+    turned += judge_exchange(on_a_diagonal<TypeParam, 2>(random, n)) ? 1 : 0;
+    turned += judge_exchange(on_a_diagonal<TypeParam, 3>(random, n)) ? 1 : 0;
+    if (testing::Test::HasFailure()) FAIL() << "case " << n;
+  }
+  EXPECT_GE(turned, 100);
+}
+
 TYPED_TEST(DirectedRounding, KeepsWhatIsRight) {
   using Scalar = TypeParam;
   const PairVelocities<Scalar, 2> v{vec<Scalar>(1, 2), vec<Scalar>(3, -7)};
