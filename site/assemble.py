@@ -29,11 +29,12 @@ def with_links(text, page, copied):
         if re.match(r"[a-z]+:", link) or not path:
             return match.group(0)
         target = (page.parent / path).resolve()
-        if target.suffix == ".md" and target.parent == ROOT / "docs":
+        pages = (ROOT / "docs", ROOT / "site" / "pages")  # in the site they lie side by side
+        if page.parent in pages and "/" not in path and any((folder / path).suffix == ".md" and (folder / path).exists() for folder in pages):
             return match.group(0)
         if target == ROOT / "README.md":
             return f"[{words}](index.md)"
-        if not target.is_file():
+        if not target.is_relative_to(ROOT) or not target.is_file():
             return words
         name = target.relative_to(ROOT).as_posix()
         copied.add(name)

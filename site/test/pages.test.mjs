@@ -38,6 +38,11 @@ test('links between pages and to copied files lead somewhere', () => {
   }
 });
 
+test('the first page leads to every equation', () => {
+  const text = fs.readFileSync(path.join(site, 'index.html'), 'utf8').split('<article')[1];
+  for (let n = 1; n <= 7; n++) assert.ok(text.includes(`href="eq${n}.html"`), `eq${n}`);
+});
+
 test('the reference is small enough to be loaded', () => {
   const size = fs.statSync(path.join(site, 'live/reference.js')).size;
   console.log(`live/reference.js: ${size} bytes`);

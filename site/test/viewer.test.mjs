@@ -109,6 +109,22 @@ test('a click selects the particle that is seen there', async () => {
   await page.close();
 });
 
+test('a film is an archive of pictures that differ', async () => {
+  assert.equal(run('view', sceneOf('chain'), '-q', '-o', file('film.html')).status, 0);
+  const { page, wrong } = await open(browser, file('film.html'));
+  await page.fill('#frames', '5');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#film')]);
+  await download.saveAs(file('frames.tar'));
+  assert.equal(spawnSync('tar', ['-xf', 'frames.tar'], { cwd: folder }).status, 0);
+  const frames = fs.readdirSync(folder).filter((name) => name.startsWith('frame-'));
+  assert.deepEqual(frames, ['00000', '00001', '00002', '00003', '00004'].map((n) => `frame-${n}.png`));
+  const pictures = frames.map((name) => fs.readFileSync(file(name)).toString('base64'));
+  assert.ok(pictures.every((text) => text.startsWith('iVBORw0KGgo')));
+  assert.equal(new Set(pictures).size, 5);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
 test('hostile names are shown and do nothing', async () => {
   const scene = JSON.parse(fs.readFileSync(sceneOf('pair'), 'utf8'));
   const hostile = '</script><script>window.hacked=1</script><img src=x onerror="window.hacked=2">';

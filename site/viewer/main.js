@@ -210,12 +210,12 @@
     const p = motion.indexOf.get(Number($('filter_particle').value));
     if (p !== undefined && $('filter_particle').value.trim() !== '') select(p);
   });
-  $('save').addEventListener('click', () => {
+  $('save').addEventListener('click', () => picture && picture.renderer.domElement.toBlob((blob) => TPS.saveAs(blob, `event-${motion.n}.png`)));
+  $('film').addEventListener('click', () => {
     if (!picture) return;
-    const link = document.createElement('a');
-    link.download = `event-${motion.n}.png`;
-    link.href = picture.renderer.domElement.toDataURL('image/png');
-    link.click();
+    pause();
+    const count = Math.max(1, Math.min(5000, Math.round(Number($('frames').value)) || 1));
+    TPS.film(picture, axis, count, (u) => (goTo(u), show()), (text) => ($('film_says').textContent = text));
   });
   document.addEventListener('keydown', (event) => {
     const inField = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== 'checkbox';
