@@ -10,4 +10,5 @@ mkdir -p build/site-tools
 cp site/package.json site/package-lock.json build/site-tools/
 cmp -s site/package-lock.json build/site-tools/node_modules/.installed ||
   { npm ci --prefix build/site-tools --no-audit --no-fund --ignore-scripts >&2 && cp site/package-lock.json build/site-tools/node_modules/.installed; }
-exec node --test "${@:-site/test/}"
+(( $# )) || set -- site/test/*.test.mjs
+exec node --test "$@"
