@@ -112,7 +112,7 @@ def main():
     (target / "live" / "reference.js").write_text(reference_script(wasm))
     (target / "live" / "cases.js").write_text(f"window.tpsCases = {json.dumps(hard_cases())};\nwindow.tpsHeaders = {json.dumps(headers())};\n".replace("</", "<\\/"))
     (target / "live" / "sections.js").write_text(f"window.tpsSections = {json.dumps(sections())};\n".replace("</", "<\\/"))
-    subprocess.run([tps, "view", ROOT / "data" / "scenes" / "terminal.json", "--quiet", "--most-events", "6000", "-o", target / "terminal.html"], check=True)
+    subprocess.run([tps, "view", ROOT / "data" / "scenes" / "terminal.json", "--quiet", "-o", target / "terminal.html"], check=True)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ const coloured = (page) => page.evaluate(() => {
   return count / (data.length / 4);
 });
 
-for (const name of ['terminal', 'sheet', 'three-body-grouped', 'ring', 'sediment']) {
+for (const name of ['terminal', 'sheet', 'three-body-grouped', 'ring', 'sediment', 'gas-walls']) {
   test(`${name}: particles are where the trace has them at each event`, async () => {
     const trace = traceOf(sceneOf(name), '--max-events', '300');
     assert.equal(run('view', trace, '-q', '-o', file('page.html')).status, 0);

@@ -45,4 +45,4 @@ TPS.short = (x) => String(Number(x.toPrecision(6)));
 
 /** Colours of kinds of events, after Okabe and Ito; what is rare shares the last. */
 TPS.kindColour = (kind) => ({ rebound: '#0072b2', retract: '#009e73', revolve: '#e69f00', break: '#d55e00',
-  restitute: '#cc79a7' })[kind] || '#8c8c8c';
+  restitute: '#cc79a7', wall: '#56b4e9' })[kind] || '#8c8c8c';

@@ -4,6 +4,7 @@
 TPS.colour = {
   tether: new THREE.Color('#8a8a94'),
   taut: new THREE.Color('#d62718'),
+  wall: new THREE.Color('#7a7468'),
   event: new THREE.Color('#0072b2'),
   found: new THREE.Color('#d55e00'),
   expected: new THREE.Color('#009e73'),

@@ -172,6 +172,7 @@ TPS.Picture = class {
   draw(marks) {
     this.aim();
     this.drawBalls(marks);
+    this.drawLines('wallLines', TPS.wallLines(this), { depthTest: this.motion.dimension === 3 });
     this.drawLines('tetherLines', TPS.tetherLines(this, marks), { depthTest: this.motion.dimension === 3 });
     this.drawLines('arrowLines', TPS.arrowLines(this, marks), { depthTest: false });
     this.renderer.render(this.scene, this.camera);

@@ -62,6 +62,20 @@ Json pairs_json(const Scene& scene) {
   return list;
 }
 
+Json walls_json(const Scene& scene) {
+  static constexpr std::string_view kShapes[] = {"plane", "sphere", "box"};
+  Json list = Json::array();
+  for (const Wall& wall : scene.walls) {
+    list.push_back({{"shape", kShapes[static_cast<int>(wall.shape)]},
+                    {"point", wall.point},
+                    {"normal", wall.normal},
+                    {"high", wall.high},
+                    {"radius", wall.radius},
+                    {"velocity", wall.velocity}});
+  }
+  return list;
+}
+
 Json findings_json(const std::vector<ShownFinding>& findings) {
   Json list = Json::array();
   for (const auto& [finding, expected] : findings) {
@@ -107,6 +121,7 @@ Json description(const Playback& playback, const std::vector<ShownFinding>& find
           {"kinds", kinds},
           {"species", species_json(scene)},
           {"pairs", pairs_json(scene)},
+          {"walls", walls_json(scene)},
           {"findings", findings_json(findings)}};
 }
 
