@@ -23,6 +23,7 @@ TEST(Horizons, OnAStraightLineAreFittedExactly) {
   EXPECT_NEAR(fit.events_per_bit, 2, 1e-12);
   EXPECT_NEAR(fit.standard_error, 0, 1e-12);
   EXPECT_NEAR(fit.exponent(), std::log(2.0) / 2, 1e-12);
+  EXPECT_NEAR(fit.exponent_error(), 0, 1e-12);
 }
 
 /// In 300 events twenty spheres leave the run of 100 digits in float, and in nothing wider; X-Y-Z never does.

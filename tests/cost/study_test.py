@@ -101,7 +101,62 @@ def test_bad_files(folder):
     cost("--variant", "guessed", expect=2)
 
 
+def level_study(folder, *arguments):
+    """A level's JSON, whose table has a row for each run and whose page comes again from the stored study."""
+    study_file, table_file, page_file, again = (folder / name for name in ("level.json", "level.csv", "level.html", "level_again.html"))
+    text = cost(*arguments, "--quiet", "--json", study_file, "--csv", table_file, "--page", page_file).stdout
+    study = json.loads(study_file.read_text())
+    jsonschema.Draft202012Validator(json.loads((root / "data/schemas/cost.schema.json").read_text())).validate(study)
+    check(cost("--from", study_file, "--page", again).stdout == text, f"{arguments}: another text from the stored study")
+    page = page_file.read_text()
+    check(again.read_text() == page, f"{arguments}: another page from the stored study")
+    check(not re.search(r"<script|https?://|<link|@import|url\(", page), "the page needs something from elsewhere")
+    ElementTree.fromstring(page.split("\n", 1)[1])
+    return study, list(csv.DictReader(io.StringIO(table_file.read_text()))), page
+
+
+def test_runs(folder):
+    study, rows, page = level_study(folder, "--runs", "--events", "60")
+    runs = study["runs"]["rows"]
+    check([(r["scene"], r["scalar"], r["timing"]) for r in rows] == [(r["scene"], r["scalar"], r["timing"]) for r in runs], "other rows")
+    check(all(float(row["events_per_second"]) == run["events_per_second"] for row, run in zip(rows, runs)), "other rates")
+    check(all(r["events"] <= 70 for r in runs) and any(r["events"] == 60 for r in runs), "--events is not heeded")
+    check(len(figures_of(page)[1]) == len(runs), "a mark for each rate")
+
+
+def test_model(folder):
+    study, rows, page = level_study(folder, "--model")
+    grouping, revolution = study["model"]["grouping"], study["model"]["revolution"]
+    check([r["level"] for r in rows] == ["grouping"] * len(grouping) + ["revolution"] * len(revolution), "other rows")
+    check(all(float(row["dt_restitute"]) == run["dt_restitute"] for row, run in zip(rows, grouping)), "another dt_restitute")
+    collisions = figures_of(page)[0]
+    check([int(re.search(r"(\d+) collisions", mark)[1]) for mark in collisions] == [r["collisions"] for r in grouping], "the figure shows other counts")
+
+
+def test_hard_cases(folder):
+    study, rows, page = level_study(folder, "--hard-cases", "--case", "grazing-train,retract-boundary")
+    train, boundary = study["cases"]
+    check(train["good_enough"] == "double stable" and train["good_enough"] in page, "what is good enough for a grazing train")
+    check(boundary.get("rests_on_ties") and "good_enough" not in boundary, "to agree on a tie is luck")
+    check(len(rows) == sum(len(c["outcomes"]) for c in study["cases"]), "a row for each outcome")
+
+
+def test_refusals(folder):
+    for arguments in (["--runs", "--quick"], ["--runs", "--model"], ["--model", "--stratum", "plain"], ["--hard-cases", "--seed", "2"], ["--case", "huge"],
+                      ["--runs", "--from", "x.json"], ["--hard-cases", "--case", "guessed"], ["--events", "5"]):
+        message = cost(*arguments, expect=2).stderr
+        check(arguments[0] in message or arguments[-2] in message, f"{arguments}: {message}")
+    half = folder / "half.json"
+    study = json.loads((folder / "whole.json").read_text())
+    del study["variants"]
+    half.write_text(json.dumps(study))
+    check("variants" in cost("--from", half, expect=3).stderr, "a missing key is not named")
+    del study["strata"]
+    half.write_text(json.dumps(study))
+    check("runs" in cost("--from", half, expect=3).stderr, "a study of nothing is not named")
+
+
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files):
+    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_runs, test_model, test_hard_cases, test_refusals):
         test(pathlib.Path(name))
 print("the study, its table, its text and its page agree")

@@ -12,9 +12,8 @@
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
+#include "verify/cost/levels.hpp"
 #include "verify/cost/measure.hpp"
-#include "verify/cost/report.hpp"
-#include "verify/cost/run_level.hpp"
 
 namespace tps::cli {
 namespace {
@@ -23,9 +22,12 @@ using namespace tps::cost;
 
 struct CostArguments {
   StudyOptions options;
-  std::vector<std::string> variants, strata;
+  std::vector<std::string> variants, strata, case_names;
+  std::uint64_t events = 3000;  // of each run of --runs, at most
   std::string from, json, csv, page, format = "text";
-  bool runs = false, quick = false, without_times = false, quiet = false;
+  bool runs = false, model = false, cases = false, quick = false, without_times = false, quiet = false;
+
+  bool is_of_questions() const { return !runs && !model && !cases; }
 };
 
 std::vector<std::string> variant_names() {
@@ -37,6 +39,12 @@ std::vector<std::string> variant_names() {
 std::vector<std::string> stratum_names() {
   std::vector<std::string> names;
   for (const Hazard& hazard : hazards()) names.push_back(hazard.name);
+  return names;
+}
+
+std::vector<std::string> names_of_cases() {
+  std::vector<std::string> names;
+  for (const HardCase& one : hard_cases()) names.push_back(one.name);
   return names;
 }
 
@@ -86,6 +94,29 @@ Json measured(const CostArguments& a) {
   return study;
 }
 
+/// A level above single questions.
+Json measured_level(const CostArguments& a) {
+  const Announce announce = [&](const std::string& what) {
+    if (!a.quiet) say("tps: {}\n", what);
+    interrupt::check();
+  };
+  if (a.cases) {
+    std::vector<CaseResult> results;
+    for (const HardCase& one : hard_cases()) {
+      if (!wanted(a.case_names, one.name)) continue;
+      announce(one.name);
+      results.push_back(measure_case(one));
+    }
+    return cases_json(results, this_machine());
+  }
+  if (a.model) return model_json(measure_model({a.options.seed, announce}), this_machine());
+  RunLevelOptions options;
+  options.seed = a.options.seed;
+  options.events = a.events;
+  options.announce = announce;
+  return runs_json(measure_runs(options), this_machine());
+}
+
 constexpr const char* kCostFooter =
     R"(Measures ways to compute the time of eq. (2), on the strata of the known answers, against the exact answer: nanoseconds
 a question, wrong verdicts, error of the time (docs/accuracy-cost.md). Times are of this thread's CPU; nothing is decided by them.
@@ -93,7 +124,9 @@ With --json FILE a call that was interrupted goes on where the file ends.
 Examples: tps cost --quick --page cost.html
           tps cost --quick --stratum graze --variant stable-double,certified-time
           tps cost --from cost.json --page cost.html
-          tps cost --runs)";
+          tps cost --runs --page runs.html
+          tps cost --model --csv model.csv
+          tps cost --hard-cases)";
 
 /// Tells more than --quick asks: rates of ten in a million show, and intervals are narrow.
 constexpr StudyOptions kFull{1, 50'000, 1024, 31};
@@ -105,13 +138,45 @@ void run_cost(const CostArguments& a) {
       .writes("--csv", a.csv)
       .writes("--page", a.page)
       .require_distinct();
-  const Json study = a.from.empty() ? measured(a) : read_study(a.from);
+  const Json study = !a.from.empty()       ? read_study(a.from)
+                     : a.is_of_questions() ? measured(a)
+                                           : measured_level(a);
   if (!a.json.empty()) write_result(a.json, study_text(study));
   if (!a.csv.empty()) write_result(a.csv, report_csv(study));
   if (!a.page.empty()) write_result(a.page, report_page(study));
   if (a.json != "-" && a.csv != "-" && a.page != "-") {
     write_result("-", a.format == "json" ? study_text(study) : report_text(study));
   }
+}
+
+/// Levels instead of single questions, with the same outputs. What would change only the questions is refused
+/// beside them.
+void add_levels(CLI::App& verb, CostArguments& a) {
+  CLI::Option* const levels[] = {
+      verb.add_flag("--runs", a.runs,
+                    "Whole runs instead: events a second, drift, horizon, in each scalar and timing"),
+      verb.add_flag("--model", a.model, "The model's own numbers instead: dt_restitute and theta_revolve"),
+      verb.add_flag("--hard-cases", a.cases,
+                    "Hard cases instead, by name, and which arithmetic is good enough for each")};
+  for (CLI::Option* const level : levels) {
+    for (const char* other :
+         {"--variant", "--stratum", "--questions", "--repetitions", "--without-times", "--quick"}) {
+      level->excludes(verb.get_option(other));
+    }
+    for (CLI::Option* const another : levels) {
+      if (another != level) level->excludes(another);
+    }
+  }
+  levels[2]->excludes(verb.get_option("--seed"));  // its scenes are fixed
+  verb.add_option("--events", a.events, "Events of each of the runs, at most")
+      ->check(integer_from(1, "a number of events"))
+      ->capture_default_str()
+      ->needs(levels[0]);
+  verb.add_option("--case", a.case_names, "Only these hard cases")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(names_of_cases()))
+      ->needs(levels[2]);
 }
 
 }  // namespace
@@ -134,12 +199,11 @@ void add_cost(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 10'000));
   verb->add_option("--seed", a->options.seed, "Which questions")->check(integer_from(0, "a seed"));
   verb->add_flag("--without-times", a->without_times, "Verdicts and errors only: the same on every machine");
-  verb->add_flag("--runs", a->runs,
-                 "Whole runs instead: events a second, drift, horizon, in each scalar and timing")
-      ->excludes("--variant")
-      ->excludes("--stratum")
-      ->excludes("--without-times");
-  verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring");
+  add_levels(*verb, *a);
+  verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring")
+      ->excludes("--runs")
+      ->excludes("--model")
+      ->excludes("--hard-cases");
   verb->add_option("--json", a->json, "Where the study goes as JSON (data/schemas/cost.schema.json)");
   verb->add_option("--csv", a->csv, "Where it goes as CSV");
   verb->add_option("--page", a->page, "Where it goes as a page with figures");
@@ -149,11 +213,6 @@ void add_cost(CLI::App& app, int& exit_code) {
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kCostFooter);
   verb->callback([=, &exit_code] {
-    if (a->runs) {
-      write_result("-", runs_text(measure_runs({a->options.seed})));
-      exit_code = kDone;
-      return;
-    }
     const StudyOptions given = a->options;
     StudyOptions defaults = a->quick ? StudyOptions{} : kFull;
     if (verb->count("--questions") > 0) defaults.questions = given.questions;

@@ -2,6 +2,7 @@
 
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
+#include "verify/cost/levels.hpp"
 #include "verify/cost/page_figures.hpp"
 #include "verify/cost/report.hpp"
 
@@ -27,7 +28,7 @@ figure{margin:0}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-
 .front{stroke:var(--soft);stroke-dasharray:3 3}.front.right{stroke:var(--ink);stroke-dasharray:none;stroke-width:1.6}
 .envelope{stroke:var(--faint);stroke-dasharray:5 3}
 table{border-collapse:collapse;font-size:13px}td,th{padding:.1rem .6rem;text-align:right;border-bottom:1px solid var(--faint)}
-td:first-child,th:first-child{text-align:left}.scroll{overflow-x:auto}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
+td:first-child,th:first-child{text-align:left}.scroll{overflow-x:auto}.lines{font-size:12px;margin:0 0 0 4.2em}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
 @media print{.tip{display:none}body{max-width:none;font-size:10pt}.figures{grid-template-columns:1fr 1fr}svg,tr{break-inside:avoid}}
 )";
 
@@ -53,13 +54,13 @@ constexpr const char* kConditionText =
 condition number. Float also rounds the question, which the condition number does not count.</p>
 )";
 
-std::string text_at(const Json& value, const char* key) {
+std::string safe_text(const Json& value, const char* key) {
   return xml_text(value.at(key).get<std::string>());
 }
 
-std::string colours(const Json& study) {
+std::string colours() {
   std::string light, dark;
-  for (std::size_t k = 0; k < study.at("formulas").size() && k < std::size(kColours); ++k) {
+  for (std::size_t k = 0; k < std::size(kColours); ++k) {
     const char* form =
         ".series-{0} circle:not(.reach){{fill:{1}}}.series-{0}.key{{background:{1}}}"
         ".series-{0} .cross,.line.series-{0}{{stroke:{1}}}";
@@ -74,7 +75,7 @@ std::string legend(const Json& study) {
   std::size_t k = 0;
   for (const Json& formula : study.at("formulas")) {
     text += fmt::format("<li><span class=\"key series-{}\"></span> <b>{}</b>: {}</li>\n", k++,
-                        text_at(formula, "name"), text_at(formula, "what"));
+                        safe_text(formula, "name"), safe_text(formula, "what"));
   }
   return text + "</ul>\n";
 }
@@ -99,12 +100,12 @@ std::string table(const Json& stratum) {
       "%)</th><th>missed</th>"
       "<th>invented</th><th>moved</th><th>wrong per million (95 %)</th><th>log2 error p50</th><th>p99</th>"
       "<th>max seen</th></tr>\n",
-      text_at(stratum, "name"));
+      safe_text(stratum, "name"));
   for (const Json& cell : stratum.at("cells")) {
     text += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{} to {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        text_at(cell, "variant"), number(cell, "/ns/throughput/median", "{:.4g}"),
+        safe_text(cell, "variant"), number(cell, "/ns/throughput/median", "{:.4g}"),
         number(cell, "/ns/throughput/q1", "{:.4g}"), number(cell, "/ns/throughput/q3", "{:.4g}"),
         number(cell, "/ns/latency/median", "{:.4g}"), interval(cell, "ratio"), json_text(cell.at("missed")),
         json_text(cell.at("invented")), json_text(cell.at("moved")), interval(cell, "wrong_per_million"),
@@ -126,31 +127,41 @@ std::string tangency_section(const Json& study) {
   return section;
 }
 
-std::string settings_text(const Json& study) {
-  const Json& s = study.at("settings");
+std::string machine_text(const Json& study) {
   const Json& m = study.at("machine");
-  return fmt::format(
-      "<p>{} questions a stratum (seed {}), {} of them timed, {} interleaved repetitions. {}; {}; flags {}; "
-      "tps {}.</p>\n",
-      json_text(s.at("questions")), json_text(s.at("seed")), json_text(s.at("timed")),
-      json_text(s.at("repetitions")), text_at(m, "processor"), text_at(m, "compiler"), text_at(m, "flags"),
-      text_at(m, "version"));
+  return fmt::format("{}; {}; flags {}; tps {}.", safe_text(m, "processor"), safe_text(m, "compiler"),
+                     safe_text(m, "flags"), safe_text(m, "version"));
 }
 
-}  // namespace
+std::string settings_text(const Json& study) {
+  const Json& s = study.at("settings");
+  return fmt::format("{} questions a stratum (seed {}), {} of them timed, {} interleaved repetitions. ",
+                     json_text(s.at("questions")), json_text(s.at("seed")), json_text(s.at("timed")),
+                     json_text(s.at("repetitions")));
+}
 
-std::string report_page(const Json& study) {
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>";
-  page += kStyle + colours(study) + "</style></head><body>\n<h1>What accuracy costs</h1>\n";
-  page += settings_text(study) + kHowToRead + legend(study) + kParetoText + "<div class=\"figures\">\n";
+/// Time against error, verdicts, condition, and every figure of the questions.
+std::string questions_page(const Json& study) {
+  std::string page = legend(study) + kParetoText + "<div class=\"figures\">\n";
   for (const Json& stratum : study.at("strata")) page += pareto_figure(study, stratum);
   page += "</div>\n" + tangency_section(study) + kConditionText + "<div class=\"figures\">\n";
   for (const Selection& each : {kFormulas, kPrinted, kStable}) page += condition_figure(study, each);
   page += "</div>\n<h2>Every figure</h2>\n";
   for (const Json& stratum : study.at("strata")) page += table(stratum);
-  return page + "</body></html>\n";
+  return page;
+}
+
+}  // namespace
+
+std::string report_page(const Json& study) {
+  const bool asks = study.contains("strata");
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+      "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>";
+  page += kStyle + colours() + "</style></head><body>\n<h1>What accuracy costs</h1>\n<p>";
+  page += (asks ? settings_text(study) : "") + machine_text(study) + "</p>\n" + kHowToRead;
+  if (asks) page += questions_page(study);
+  return page + levels_page(study) + "</body></html>\n";
 }
 
 }  // namespace tps::cost

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "verify/cost/json_at.hpp"
 #include "verify/cost/plot.hpp"
 
 namespace tps::cost {
@@ -13,10 +14,6 @@ namespace {
 
 /// Colours of the style sheet that differ most, from the least digits to the most.
 constexpr int kArithmeticColours[] = {0, 1, 3, 4, 7, 8, 10};
-
-std::string text_at(const Json& value, const char* key) {
-  return value.at(key).get<std::string>();
-}
 
 const Json& variant_named(const Json& study, const std::string& name) {
   const Json& all = study.at("variants");

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reference/text/input_error.hpp"
@@ -13,6 +15,15 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
 bool names(const Json& list, const Json& name) {
   return std::any_of(list.begin(), list.end(), [&](const Json& each) { return each.at("name") == name; });
+}
+
+/// Strata are read with what their names and figures refer to.
+void require_parts(const Json& study, const std::string& file) {
+  InputProblems problems(file);
+  for (const char* key : {"settings", "formulas", "variants"}) {
+    if (!study.contains(key)) problems.add(0, "", fmt::format("key \"{}\" is missing; strata need it", key));
+  }
+  problems.throw_if_any();
 }
 
 /// What a schema cannot say: every cell and bin is of a variant that is listed, every variant of a formula.
@@ -50,7 +61,10 @@ Json read_study(const std::string& path) {
   embedded_schema("cost").validate(document.root, problems);
   problems.throw_if_any();
   Json study = parse_plain_json(text, name);
-  require_names(study, name);
+  if (study.contains("strata")) {
+    require_parts(study, name);
+    require_names(study, name);
+  }
   return study;
 }
 

@@ -1,5 +1,5 @@
 // The study as JSON, and what is made of that: CSV, a text, a page. A report is made from the JSON alone, so
-// that a stored study can be shown again (`tps cost --from`).
+// that a stored study can be shown again (`tps cost --from`). Levels above single questions: levels.hpp.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 /// Settings, machine, formulas, the variants measured; no stratum yet. data/schemas/cost.schema.json
 /// describes it.
 Json study_json(const StudyOptions& options, const std::vector<Variant>& measured, const Machine& machine);
+Json machine_json(const Machine& machine);
 /// One element of "strata".
 Json stratum_json(const StratumResult& result);
 

@@ -1,19 +1,12 @@
 #include "verify/cost/run_level.hpp"
 
-#include <fmt/format.h>
 #include <gsl/gsl_fit.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <stdexcept>
 
-#include "reference/process/interrupt.hpp"
-#include "verify/certified/exact_timing.hpp"
+#include "verify/cost/traced_run.hpp"
 #include "verify/scenes/gas.hpp"
 #include "verify/scenes/three_body.hpp"
 
@@ -21,86 +14,50 @@ namespace tps::cost {
 namespace {
 
 constexpr int kSpheres = 20;
-const std::map<std::string, int> kBits = {{"float", 24}, {"double", 53}, {"long-double", 64},
-                                          {"quad", 113}, {"mp50", 168},  {"mp100", 334}};
 
-/// A file that is gone with its owner.
-class TemporaryFile {
- public:
-  TemporaryFile() : path_((std::filesystem::temp_directory_path() / "tps-cost-XXXXXX").string()) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) throw std::runtime_error("no temporary file can be made in " + path_);
-    close(file);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
+struct Measured {
+  TracedRun traced;
+  double events_per_second;
 };
 
-/// Kind and pair of each event of a trace, as its lines spell them.
-std::vector<std::string> events_of(const std::string& trace) {
-  std::vector<std::string> events;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t from = line.find("\"kind\":");
-    if (!line.starts_with("{\"k\":") || from == std::string::npos) continue;
-    events.push_back(line.substr(from, line.find(",\"pre\"", from) - from));
-  }
-  return events;
-}
-
-struct Run {
-  RunRow row;
-  std::vector<std::string> events;
-};
-
-Run run(const std::string& name, const Scene& scene, const std::string& scalar, Timing timing,
-        const RunLevelOptions& options) {
-  interrupt::check();
-  const TemporaryFile trace;
-  certified::ExactTiming certifier;
+Measured run(const Scene& scene, const std::string& scalar, Timing timing, const RunLevelOptions& options) {
   RunOptions choice;
   choice.scalar = *scalar_kind(scalar);
   choice.timing = timing;
-  if (timing == Timing::certified) choice.certifier = &certifier;
   choice.max_events = options.events;
-  // Timed without a trace, which costs more than the events.
-  const RunSummary summary = run_scene(scene, choice);
-  choice.trace = trace.path();
-  run_scene(scene, choice);
-  Run result{{}, events_of(trace.path())};
-  result.row.scene = name;
-  result.row.scalar = scalar;
-  result.row.timing = timing_names()[static_cast<std::size_t>(timing)];
-  result.row.bits = kBits.at(scalar);
-  result.row.events = summary.events;
-  result.row.events_per_second = static_cast<double>(summary.events) / summary.seconds;
-  result.row.momentum_drift = summary.momentum_drift;
-  result.row.energy_remainder = summary.energy_remainder;
-  return result;
+  const RunSummary timed = timed_run(scene, choice);
+  return {traced_run(scene, choice), static_cast<double>(timed.events) / timed.seconds};
+}
+
+RunRow row_of(const std::string& name, const std::string& scalar, Timing timing, const Measured& run,
+              const TracedRun& truth) {
+  const RunSummary& s = run.traced.summary;
+  RunRow row;
+  row.scene = name;
+  row.scalar = scalar;
+  row.timing = timing_names()[static_cast<std::size_t>(timing)];
+  row.bits = bits_of(scalar);
+  row.end = s.end;
+  row.events = s.events;
+  row.events_per_second = run.events_per_second;
+  row.momentum_drift = s.momentum_drift;
+  row.energy_remainder = s.energy_remainder;
+  row.worst_excess = std::max(s.worst_inner_excess, s.worst_outer_excess);
+  row.horizon = horizon(run.traced.events, truth.events);
+  return row;
 }
 
 void add_scene(RunLevel& level, const std::string& name, const Scene& scene, const RunLevelOptions& options) {
-  const Run truth = run(name, scene, "mp100", Timing::stable, options);
+  options.announce(name + " in mp100");
+  const Measured truth = run(scene, "mp100", Timing::stable, options);
   std::vector<RunRow> rows;
   for (const std::string& scalar : scalar_names()) {
+    options.announce(name + " in " + scalar);
     for (const Timing timing : {Timing::paper, Timing::stable, Timing::certified}) {
       if (!can_be_timed(*scalar_kind(scalar), timing)) continue;
-      Run one =
-          scalar == "mp100" && timing == Timing::stable ? truth : run(name, scene, scalar, timing, options);
-      const auto [at, other] =
-          std::mismatch(one.events.begin(), one.events.end(), truth.events.begin(), truth.events.end());
-      if (at != one.events.end() || other != truth.events.end()) {
-        one.row.horizon = static_cast<std::uint64_t>(at - one.events.begin());
-      }
-      rows.push_back(one.row);
+      const bool is_truth = scalar == "mp100" && timing == Timing::stable;
+      rows.push_back(
+          row_of(name, scalar, timing, is_truth ? truth : run(scene, scalar, timing, options), truth.traced));
     }
   }
   level.rows.insert(level.rows.end(), rows.begin(), rows.end());
@@ -111,8 +68,18 @@ void add_scene(RunLevel& level, const std::string& name, const Scene& scene, con
 
 }  // namespace
 
+int bits_of(const std::string& scalar) {
+  static const std::map<std::string, int> bits = {{"float", 24}, {"double", 53}, {"long-double", 64},
+                                                  {"quad", 113}, {"mp50", 168},  {"mp100", 334}};
+  return bits.at(scalar);
+}
+
 double HorizonFit::exponent() const {
   return std::log(2.0) / events_per_bit;
+}
+
+double HorizonFit::exponent_error() const {
+  return exponent() * standard_error / events_per_bit;
 }
 
 HorizonFit fit_horizons(const std::string& scene, const std::vector<RunRow>& rows) {
@@ -130,6 +97,8 @@ HorizonFit fit_horizons(const std::string& scene, const std::vector<RunRow>& row
 
 RunLevel measure_runs(const RunLevelOptions& options) {
   RunLevel level;
+  level.seed = options.seed;
+  level.events = options.events;
   GasParams gas;
   gas.particles = kSpheres;
   gas.seed = options.seed;
@@ -137,23 +106,6 @@ RunLevel measure_runs(const RunLevelOptions& options) {
   add_scene(level, "gas", build_gas(gas), options);
   add_scene(level, "three-body", build_three_body({}), options);
   return level;
-}
-
-std::string runs_text(const RunLevel& level) {
-  std::string text = fmt::format("{:<12}{:<13}{:<11}{:>7}{:>11}{:>10}{:>14}{:>14}\n", "scene", "scalar",
-                                 "timing", "events", "events/s", "horizon", "momentum off", "energy off");
-  for (const RunRow& row : level.rows) {
-    text += fmt::format("{:<12}{:<13}{:<11}{:>7}{:>11.3g}{:>10}{:>14.1e}{:>14.1e}\n", row.scene, row.scalar,
-                        row.timing, row.events, row.events_per_second,
-                        row.horizon ? std::to_string(*row.horizon) : "all", row.momentum_drift,
-                        row.energy_remainder);
-  }
-  for (const HorizonFit& fit : level.fits) {
-    text += fmt::format(
-        "{}: {:.2f} +- {:.2f} events a bit ({} scalars): disturbances grow by exp({:.3f}) an event\n",
-        fit.scene, fit.events_per_bit, fit.standard_error, fit.points, fit.exponent());
-  }
-  return text;
 }
 
 }  // namespace tps::cost

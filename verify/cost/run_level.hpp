@@ -2,6 +2,7 @@
 // same scene.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@ namespace tps::cost {
 struct RunRow {
   std::string scene, scalar, timing;
   int bits = 0;
+  std::string end;  ///< as in RunSummary
   std::uint64_t events = 0;
   double events_per_second = 0;
   double momentum_drift = 0, energy_remainder = 0;  ///< as in RunSummary
+  double worst_excess = 0;  ///< beyond a limit at an event, in ulps of the pair's largest coordinate
   /// Events, in order, that are those of the run in mp100 (kind and pair); absent where all are.
   std::optional<std::uint64_t> horizon = std::nullopt;
 };
@@ -27,26 +30,35 @@ struct HorizonFit {
   int points = 0;
   double events_per_bit = 0, standard_error = 0;
 
-  /// A disturbance doubles in events_per_bit events: the exponent of its growth an event.
+  /// A disturbance doubles in events_per_bit events: the exponent of its growth an event (Lyapunov's), …
   double exponent() const;
+  /// … and its standard error, to first order: exponent · standard_error / events_per_bit.
+  double exponent_error() const;
 };
 
 struct RunLevel {
+  std::uint64_t seed = 1;
+  std::uint64_t events = 0;  ///< at most, of each run
   std::vector<RunRow> rows;
   std::vector<HorizonFit> fits;  ///< of scenes with three horizons or more
 };
 
+/// Told before each piece of work what it is.
+using Announce = std::function<void(const std::string&)>;
+
 struct RunLevelOptions {
   std::uint64_t seed = 1;
   std::uint64_t events = 3000;  ///< at most, of each run
+  Announce announce = [](const std::string&) {};
 };
+
+/// Bits of the significand of a scalar, by its name in scalar_names().
+int bits_of(const std::string& scalar);
 
 /// Scenes: a gas of twenty spheres, and the paper's X-Y-Z.
 RunLevel measure_runs(const RunLevelOptions& options);
 
 /// REQUIRES three rows with a horizon or more.
 HorizonFit fit_horizons(const std::string& scene, const std::vector<RunRow>& rows);
-
-std::string runs_text(const RunLevel& level);
 
 }  // namespace tps::cost

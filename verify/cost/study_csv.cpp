@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "reference/text/plain_json.hpp"
-#include "verify/cost/report.hpp"
+#include "verify/cost/levels.hpp"
 
 namespace tps::cost {
 namespace {
@@ -50,6 +50,7 @@ std::string column_name(std::string pointer) {
 }  // namespace
 
 std::string report_csv(const Json& study) {
+  if (!study.contains("strata")) return levels_csv(study);
   std::string text = "stratum,variant";
   for (const char* column : kColumns) text += "," + column_name(column);
   text += "\n";

@@ -1,20 +1,12 @@
-#include <cmath>
-
 #include "reference/text/plain_json.hpp"
 #include "verify/cost/report.hpp"
+#include "verify/cost/rounded.hpp"
 #include "verify/cost/variant.hpp"
 
 namespace tps::cost {
 namespace {
 
 constexpr double kConfidence = 0.95;
-
-/// Four digits: more than any of these figures is good for.
-double rounded(double x) {
-  if (x == 0 || !std::isfinite(x)) return x;
-  const double unit = std::pow(10.0, 3 - std::floor(std::log10(std::fabs(x))));
-  return std::round(x * unit) / unit;
-}
 
 Json per_million(std::uint64_t count, std::uint64_t asked) {
   const Interval interval = proportion_interval(count, asked, kConfidence);
@@ -113,6 +105,13 @@ std::string study_text(const Json& study) {
   return text + "\n";
 }
 
+Json machine_json(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"compiler", machine.compiler},
+          {"flags", machine.flags},
+          {"version", machine.version}};
+}
+
 Json study_json(const StudyOptions& options, const std::vector<Variant>& measured, const Machine& machine) {
   Json json{{"cost", 1},
             {"settings",
@@ -122,11 +121,7 @@ Json study_json(const StudyOptions& options, const std::vector<Variant>& measure
               {"repetitions", options.repetitions},
               {"confidence", kConfidence},
               {"baseline", kBaseline}}},
-            {"machine",
-             {{"processor", machine.processor},
-              {"compiler", machine.compiler},
-              {"flags", machine.flags},
-              {"version", machine.version}}},
+            {"machine", machine_json(machine)},
             {"formulas", Json::array()},
             {"variants", Json::array()},
             {"strata", Json::array()}};

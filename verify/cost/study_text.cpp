@@ -2,12 +2,12 @@
 
 #include <map>
 
-#include "verify/cost/report.hpp"
+#include "verify/cost/levels.hpp"
 
 namespace tps::cost {
 namespace {
 
-std::string number(const Json& value, const char* pointer, const char* form) {
+std::string figure(const Json& value, const char* pointer, const char* form) {
   const Json::json_pointer place(pointer);
   if (!value.contains(place)) return "-";
   return fmt::format(fmt::runtime(form), value.at(place).get<double>());
@@ -34,6 +34,7 @@ std::string bits_lost(const Json& cell, const char* pointer, int bits) {
 }  // namespace
 
 std::string report_text(const Json& study) {
+  if (!study.contains("strata")) return levels_text(study);
   std::map<std::string, int> bits;
   for (const Json& variant : study.at("variants")) {
     bits[variant.at("name").get<std::string>()] = variant.at("bits").get<int>();
@@ -50,7 +51,7 @@ std::string report_text(const Json& study) {
       const int b = bits.at(name);
       text += fmt::format(
           "  {:<22}{:>10}{:>10}{:>8}{:>8}{:>8}{:>7}{:>7}{:>7}  {}{}\n", name,
-          number(cell, "/ns/throughput/median", "{:.1f}"), number(cell, "/ratio/value", "{:.2f}"),
+          figure(cell, "/ns/throughput/median", "{:.1f}"), figure(cell, "/ratio/value", "{:.2f}"),
           cell.at("missed").get<int>(), cell.at("invented").get<int>(), cell.at("moved").get<int>(),
           bits_lost(cell, "/log2_error/p50", b), bits_lost(cell, "/log2_error/p99", b),
           bits_lost(cell, "/log2_error/max", b), cell.at("asked").get<int>(), handed_on(cell));

@@ -1,0 +1,121 @@
+#include "verify/cost/levels.hpp"
+#include "verify/cost/rounded.hpp"
+
+namespace tps::cost {
+namespace {
+
+Json study_of(const Machine& machine) {
+  return {{"cost", 1}, {"machine", machine_json(machine)}};
+}
+
+Json row_json(const RunRow& row) {
+  Json json{{"scene", row.scene},
+            {"scalar", row.scalar},
+            {"timing", row.timing},
+            {"bits", row.bits},
+            {"end", row.end},
+            {"events", row.events},
+            {"events_per_second", rounded(row.events_per_second)},
+            {"momentum_drift", rounded(row.momentum_drift)},
+            {"energy_remainder", rounded(row.energy_remainder)},
+            {"worst_excess", rounded(row.worst_excess)}};
+  if (row.horizon) json["horizon"] = *row.horizon;
+  return json;
+}
+
+Json row_json(const GroupingRow& row) {
+  Json json{{"scene", row.scene},
+            {"dt_restitute", row.dt_restitute},
+            {"end", row.end},
+            {"collisions", row.collisions},
+            {"events", row.events},
+            {"largest_group", row.largest_group},
+            {"kinetic", rounded(row.kinetic)}};
+  if (row.distance) json["distance"] = rounded(*row.distance);
+  if (row.horizon) json["horizon"] = *row.horizon;
+  return json;
+}
+
+Json row_json(const RevolutionRow& row) {
+  return {{"theta_deg", row.theta_deg},
+          {"c_revolve", row.c_revolve},
+          {"events", row.events},
+          {"events_a_turn", rounded(row.events_a_turn)},
+          {"energy_a_turn", rounded(row.energy_a_turn)},
+          {"momentum_a_turn", rounded(row.momentum_a_turn)},
+          {"momentum_at_first", rounded(row.momentum_at_first)}};
+}
+
+template <typename Row>
+Json rows_json(const std::vector<Row>& rows) {
+  Json json = Json::array();
+  for (const Row& row : rows) json.push_back(row_json(row));
+  return json;
+}
+
+Json case_json(const CaseResult& one) {
+  Json outcomes = Json::array();
+  for (const CaseOutcome& outcome : one.outcomes) {
+    Json json{{"scalar", outcome.scalar},
+              {"timing", outcome.timing},
+              {"end", outcome.end},
+              {"events", outcome.events},
+              {"worst_excess", rounded(outcome.worst_excess)}};
+    if (outcome.horizon) json["horizon"] = *outcome.horizon;
+    outcomes.push_back(json);
+  }
+  Json json{{"name", one.name}, {"what", one.what}, {"events", one.events}, {"end", one.end}};
+  if (one.right_by == RightBy::nothing) json["rests_on_ties"] = true;
+  if (const CaseOutcome* good = one.good_enough()) json["good_enough"] = good->scalar + " " + good->timing;
+  json["outcomes"] = outcomes;
+  return json;
+}
+
+}  // namespace
+
+Json runs_json(const RunLevel& level, const Machine& machine) {
+  Json fits = Json::array();
+  for (const HorizonFit& fit : level.fits) {
+    fits.push_back({{"scene", fit.scene},
+                    {"points", fit.points},
+                    {"events_per_bit", rounded(fit.events_per_bit)},
+                    {"standard_error", rounded(fit.standard_error)},
+                    {"exponent", rounded(fit.exponent())},
+                    {"exponent_error", rounded(fit.exponent_error())}});
+  }
+  Json study = study_of(machine);
+  study["runs"] = {
+      {"seed", level.seed}, {"events", level.events}, {"rows", rows_json(level.rows)}, {"fits", fits}};
+  return study;
+}
+
+Json model_json(const ModelLevel& level, const Machine& machine) {
+  Json truths = Json::array();
+  for (const GroupingTruth& truth : level.truths) {
+    truths.push_back({{"scene", truth.scene},
+                      {"what", truth.what},
+                      {"end", truth.end},
+                      {"collisions", truth.collisions},
+                      {"kinetic", rounded(truth.kinetic)}});
+  }
+  Json study = study_of(machine);
+  study["model"] = {{"seed", level.seed},
+                    {"truths", truths},
+                    {"grouping", rows_json(level.grouping)},
+                    {"revolution", rows_json(level.revolution)}};
+  return study;
+}
+
+std::string verdict_of(const Json& one) {
+  if (one.contains("rests_on_ties")) return "ties";
+  return one.contains("good_enough") ? one.at("good_enough").get<std::string>() : "none";
+}
+
+Json cases_json(const std::vector<CaseResult>& cases, const Machine& machine) {
+  Json study = study_of(machine);
+  study["cases"] = Json::array();
+  for (const CaseResult& one : cases) study["cases"].push_back(case_json(one));
+  return study;
+}
+
+}  // namespace tps::cost

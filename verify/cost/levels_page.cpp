@@ -1,0 +1,225 @@
+// The sections of the page for whole runs, the model's numbers and the hard cases.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
+#include "verify/cost/json_at.hpp"
+#include "verify/cost/levels.hpp"
+#include "verify/cost/plot.hpp"
+
+namespace tps::cost {
+namespace {
+
+constexpr const char* kRunsText =
+    R"(<h2>Whole runs: the horizon</h2>
+<p>How many events, in order, are those of the run in 100 digits. A scalar that has all of them has no mark.</p>
+)";
+constexpr const char* kGroupingText =
+    R"(<h2>What the time of restitution buys and costs</h2>
+<p>The same scene grouped with each Δt_restitute, against its ungrouped truth.</p>
+)";
+constexpr const char* kRevolutionText =
+    R"(<h2>What the angle of revolution buys and costs</h2>
+<p>A pair that circles on a taut tether: events for a turn, and what of energy and angular momentum a turn and the first event take.</p>
+)";
+constexpr const char* kCasesText =
+    R"(<h2>Hard cases</h2>
+<p>Events, in order, that are those of the run in 100 digits, and the first arithmetic that has all.</p>
+)";
+
+/// The names of a section's lines, so that one name has one colour in all of its figures.
+class Names {
+ public:
+  std::string style(const std::string& name) {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    const auto index = static_cast<std::size_t>(found - names_.begin());
+    if (found == names_.end()) names_.push_back(name);
+    return fmt::format("series-{}", kMostDifferent[index % std::size(kMostDifferent)]);
+  }
+
+ private:
+  static constexpr int kMostDifferent[] = {0, 7, 3, 8, 1, 4};  ///< of the style sheet
+  std::vector<std::string> names_;
+};
+
+/// A figure of one number of rows against another, a line for each name.
+class Lines {
+ public:
+  Lines(Names& names, std::string title, Axis x, Axis y)
+      : names_(&names), plot_(std::move(title), std::move(x), std::move(y)) {}
+
+  void add(const std::string& name, Position at, const std::string& tip) {
+    plot_.point(at, names_->style(name), "", name + ": " + tip);
+    lines_[name].push_back(at);
+  }
+
+  std::string figure() {
+    std::string legend;
+    for (const auto& [name, points] : lines_) {
+      const std::string style = names_->style(name);
+      plot_.line(points, style);
+      legend += fmt::format("<span class=\"key {}\"></span> {} ", style, xml_text(name));
+    }
+    std::string text = plot_.figure();
+    return text.insert(text.rfind("</figure>"), "<p class=\"lines\">" + legend + "</p>");
+  }
+
+ private:
+  Names* names_;
+  Plot plot_;
+  std::map<std::string, std::vector<Position>> lines_;
+};
+
+/// log10, and a little below the axis for nothing at all.
+double log10_of(double x, double nothing) {
+  return x > 0 ? std::max(std::log10(x), nothing) : nothing;
+}
+
+double largest(const Json& rows, const char* key) {
+  double most = 1;
+  for (const Json& row : rows) {
+    if (row.contains(key)) most = std::max(most, number_at(row, key));
+  }
+  return most;
+}
+
+/// A whole number of units that about five ticks of an axis to `most` are apart.
+int tick_distance(double most) {
+  const double unit = std::pow(10.0, std::floor(std::log10(most / 2)));
+  return std::max(1, static_cast<int>(unit * (most / unit > 10 ? 5 : most / unit > 5 ? 2 : 1)));
+}
+
+std::string figures(std::vector<Lines> all) {
+  std::string text = "<div class=\"figures\">\n";
+  for (Lines& lines : all) text += lines.figure();
+  return text + "</div>\n";
+}
+
+std::string horizon_tip(const Json& row) {
+  return fmt::format("{} collisions or events of {}", json_text(row.at("horizon")),
+                     json_text(row.at("events")));
+}
+
+std::string runs_page(const Json& runs) {
+  Names names;
+  const Json& rows = runs.at("rows");
+  const double most = largest(rows, "horizon");
+  Lines horizons(names, "horizon against bits", {"bits of the scalar", 0, 350, 0, 50},
+                 {"events", 0, most, 0, tick_distance(most)});
+  Lines speeds(names, "speed against bits", {"bits of the scalar", 0, 350, 0, 50},
+               {"events a second", 0, 7, 10, 1});
+  for (const Json& row : rows) {
+    const std::string name = text_at(row, "scene") + ", " + text_at(row, "timing");
+    const double bits = number_at(row, "bits");
+    if (row.contains("horizon")) {
+      horizons.add(name, {bits, number_at(row, "horizon")}, text_at(row, "scalar") + ", " + horizon_tip(row));
+    }
+    const double rate = number_at(row, "events_per_second");
+    speeds.add(name, {bits, log10_of(rate, 0)},
+               fmt::format("{}, {:.4g} events a second", text_at(row, "scalar"), rate));
+  }
+  std::string text = kRunsText + figures({horizons, speeds});
+  for (const Json& fit : runs.at("fits")) {
+    text += fmt::format(
+        "<p>{}: {:.4g} ± {:.2g} events a bit; a disturbance grows by exp({:.4g} ± {:.2g}) an event.</p>\n",
+        xml_text(text_at(fit, "scene")), number_at(fit, "events_per_bit"), number_at(fit, "standard_error"),
+        number_at(fit, "exponent"), number_at(fit, "exponent_error"));
+  }
+  return text;
+}
+
+std::string grouping_page(const Json& model) {
+  Names names;
+  const Axis dt{"dt_restitute", -41, 0, 10, 5};
+  const Json& rows = model.at("grouping");
+  const double most = largest(rows, "horizon");
+  Lines counts(names, "collisions", dt, {"collisions", 0, 6, 10, 1});
+  Lines distances(names, "distance from the truth at the end", dt,
+                  {"largest difference of a velocity", -18, 1, 10, 2});
+  Lines horizons(names, "collisions that are those of the ungrouped run", dt,
+                 {"collisions", 0, most, 0, tick_distance(most)});
+  Lines groups(names, "the largest group", dt, {"particles", 0, 2, 10, 1});
+  for (const Json& row : rows) {
+    const std::string scene = text_at(row, "scene");
+    const double x = log10_of(number_at(row, "dt_restitute"), -41);
+    const std::string at = fmt::format("dt_restitute {:g}", number_at(row, "dt_restitute"));
+    counts.add(
+        scene, {x, log10_of(number_at(row, "collisions"), 0)},
+        fmt::format("{}, {} collisions, end: {}", at, json_text(row.at("collisions")), text_at(row, "end")));
+    groups.add(scene, {x, log10_of(number_at(row, "largest_group"), 0)},
+               fmt::format("{}, {} particles", at, json_text(row.at("largest_group"))));
+    if (row.contains("distance")) {
+      distances.add(scene, {x, log10_of(number_at(row, "distance"), -18)},
+                    fmt::format("{}, {:.3g}", at, number_at(row, "distance")));
+    }
+    if (row.contains("horizon")) {
+      horizons.add(scene, {x, number_at(row, "horizon")},
+                   fmt::format("{}, the first {} collisions", at, json_text(row.at("horizon"))));
+    }
+  }
+  std::string text = kGroupingText + std::string("<ul>\n");
+  for (const Json& truth : model.at("truths")) {
+    text += fmt::format("<li><b>{}</b>: {}. Ungrouped: {} collisions, end: {}</li>\n",
+                        xml_text(text_at(truth, "scene")), xml_text(text_at(truth, "what")),
+                        json_text(truth.at("collisions")), xml_text(text_at(truth, "end")));
+  }
+  return text + "</ul>\n" + figures({counts, distances, horizons, groups});
+}
+
+std::string revolution_page(const Json& model) {
+  Names names;
+  const Axis theta{"theta, degrees", -6, 2, 10, 1};
+  Lines events(names, "events a turn", theta, {"events", 0, 9, 10, 1});
+  Lines losses(names, "what is lost", theta, {"share lost", -16, 0, 10, 2});
+  for (const Json& row : model.at("revolution")) {
+    const double x = log10_of(number_at(row, "theta_deg"), -6);
+    const std::string c = fmt::format("c_revolve {:g}", number_at(row, "c_revolve"));
+    const std::string at = fmt::format("theta {}", json_text(row.at("theta_deg")));
+    events.add(c, {x, log10_of(number_at(row, "events_a_turn"), 0)},
+               fmt::format("{}, {:.6g} events", at, number_at(row, "events_a_turn")));
+    losses.add("angular momentum at the first, " + c, {x, log10_of(number_at(row, "momentum_at_first"), -16)},
+               fmt::format("{}, {:.3g}", at, number_at(row, "momentum_at_first")));
+    losses.add("energy a turn, " + c, {x, log10_of(number_at(row, "energy_a_turn"), -16)},
+               fmt::format("{}, {:.3g}", at, number_at(row, "energy_a_turn")));
+  }
+  return kRevolutionText + figures({events, losses});
+}
+
+std::string cases_page(const Json& cases) {
+  std::string text =
+      kCasesText + std::string("<div class=\"scroll\"><table>\n<tr><th>case</th><th>events</th>");
+  if (!cases.empty()) {
+    for (const Json& outcome : cases.front().at("outcomes")) {
+      text += fmt::format("<th>{}, {}</th>", xml_text(text_at(outcome, "scalar")),
+                          xml_text(text_at(outcome, "timing")));
+    }
+  }
+  text += "<th>good enough</th></tr>\n";
+  for (const Json& one : cases) {
+    text += fmt::format("<tr><td>{}</td><td>{}</td>", xml_text(text_at(one, "what")),
+                        json_text(one.at("events")));
+    for (const Json& outcome : one.at("outcomes")) {
+      text += fmt::format("<td>{} ({})</td>",
+                          outcome.contains("horizon") ? json_text(outcome.at("horizon")) : "all",
+                          xml_text(text_at(outcome, "end")));
+    }
+    text += fmt::format("<td>{}</td></tr>\n", xml_text(verdict_of(one)));
+  }
+  return text + "</table></div>\n";
+}
+
+}  // namespace
+
+std::string levels_page(const Json& study) {
+  std::string text;
+  if (study.contains("runs")) text += runs_page(study.at("runs"));
+  if (study.contains("model")) text += grouping_page(study.at("model")) + revolution_page(study.at("model"));
+  if (study.contains("cases")) text += cases_page(study.at("cases"));
+  return text;
+}
+
+}  // namespace tps::cost

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
+#include "verify/cost/json_at.hpp"
+#include "verify/cost/levels.hpp"
+
+namespace tps::cost {
+namespace {
+
+/// A stored study may hold anything: what is printed is safe on a terminal.
+std::string shown_at(const Json& value, const char* key) {
+  return printable(text_at(value, key));
+}
+
+std::string horizon_text(const Json& row) {
+  return row.contains("horizon") ? json_text(row.at("horizon")) : "all";
+}
+
+std::string runs_text(const Json& runs) {
+  std::string text = fmt::format("{:<12}{:<13}{:<11}{:>7}{:>11}{:>10}{:>14}{:>14}\n", "scene", "scalar",
+                                 "timing", "events", "events/s", "horizon", "momentum off", "energy off");
+  for (const Json& row : runs.at("rows")) {
+    text += fmt::format("{:<12}{:<13}{:<11}{:>7}{:>11.3g}{:>10}{:>14.1e}{:>14.1e}\n", shown_at(row, "scene"),
+                        shown_at(row, "scalar"), shown_at(row, "timing"), json_text(row.at("events")),
+                        number_at(row, "events_per_second"), horizon_text(row),
+                        number_at(row, "momentum_drift"), number_at(row, "energy_remainder"));
+  }
+  for (const Json& fit : runs.at("fits")) {
+    text += fmt::format(
+        "{}: {:.2f} +- {:.2f} events a bit ({} scalars): disturbances grow by exp({:.4f} +- {:.4f}) an "
+        "event\n",
+        shown_at(fit, "scene"), number_at(fit, "events_per_bit"), number_at(fit, "standard_error"),
+        json_text(fit.at("points")), number_at(fit, "exponent"), number_at(fit, "exponent_error"));
+  }
+  return text;
+}
+
+std::string grouping_text(const Json& model, const Json& truth) {
+  std::string text = fmt::format("{}: {}\n  {:>12}{:>11}{:>9}{:>9}{:>9}{:>11}{:>10}  {}\n",
+                                 shown_at(truth, "scene"), shown_at(truth, "what"), "dt_restitute",
+                                 "collisions", "events", "largest", "horizon", "distance", "kinetic", "end");
+  text += fmt::format("  {:>12}{:>11}{:>9}{:>9}{:>9}{:>11}{:>10.4g}  {}\n", "ungrouped",
+                      json_text(truth.at("collisions")), json_text(truth.at("collisions")), "-", "-", "-",
+                      number_at(truth, "kinetic"), shown_at(truth, "end"));
+  for (const Json& row : model.at("grouping")) {
+    if (row.at("scene") != truth.at("scene")) continue;
+    text += fmt::format("  {:>12g}{:>11}{:>9}{:>9}{:>9}{:>11}{:>10.4g}  {}\n", number_at(row, "dt_restitute"),
+                        json_text(row.at("collisions")), json_text(row.at("events")),
+                        json_text(row.at("largest_group")),
+                        truth.at("end") == "stalled" ? "-" : horizon_text(row),
+                        row.contains("distance") ? fmt::format("{:.1e}", number_at(row, "distance")) : "-",
+                        number_at(row, "kinetic"), shown_at(row, "end"));
+  }
+  return text + "\n";
+}
+
+std::string model_text(const Json& model) {
+  std::string text;
+  for (const Json& truth : model.at("truths")) text += grouping_text(model, truth);
+  text += fmt::format(
+      "revolution: a pair that circles; shares of energy and angular momentum that are lost\n"
+      "  {:>12}{:>11}{:>15}{:>15}{:>17}{:>20}\n",
+      "theta", "c_revolve", "events a turn", "energy a turn", "momentum a turn", "momentum at first");
+  for (const Json& row : model.at("revolution")) {
+    text += fmt::format("  {:>12}{:>11g}{:>15.6g}{:>15.2e}{:>17.2e}{:>20.2e}\n",
+                        json_text(row.at("theta_deg")), number_at(row, "c_revolve"),
+                        number_at(row, "events_a_turn"), number_at(row, "energy_a_turn"),
+                        number_at(row, "momentum_a_turn"), number_at(row, "momentum_at_first"));
+  }
+  return text;
+}
+
+/// What stands in the table for an outcome: how far it agrees, and the end where that is another one.
+std::string outcome_text(const Json& one, const Json& outcome) {
+  if (!outcome.contains("horizon")) return "all";
+  const std::string end = shown_at(outcome, "end");
+  if (end == "refused") return end;
+  const std::string agreed = json_text(outcome.at("horizon"));
+  return outcome.at("end") == one.at("end") ? agreed
+         : end == "stalled"                 ? agreed + " stalled"
+                                            : agreed + " " + end;
+}
+
+std::string cases_text(const Json& cases) {
+  if (cases.empty()) return "";
+  std::string text = fmt::format("{:<17}{:>7}", "case", "events");
+  const char* const names[] = {"float", "printed", "stable", "certified", "long double", "quad", "mp50"};
+  for (const char* name : names) text += fmt::format("{:>13}", name);
+  text += "  good enough\n";
+  for (const Json& one : cases) {
+    text += fmt::format("{:<17}{:>7}", shown_at(one, "name"), json_text(one.at("events")));
+    for (const Json& outcome : one.at("outcomes")) text += fmt::format("{:>13}", outcome_text(one, outcome));
+    text += "  " + printable(verdict_of(one)) + "\n";
+  }
+  return text;
+}
+
+/// A text as a field of CSV (RFC 4180).
+std::string field(const std::string& text) {
+  const std::string safe = printable(text);
+  if (safe.find_first_of(",\"") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// Every run of a study as an object, with what it is part of.
+std::vector<Json> all_rows(const Json& study) {
+  std::vector<Json> rows;
+  const auto append = [&](const Json& list, const Json& head) {
+    for (const Json& row : list) {
+      rows.push_back(head);
+      rows.back().update(row);
+    }
+  };
+  if (study.contains("runs")) append(study.at("runs").at("rows"), {{"level", "runs"}});
+  if (study.contains("model")) {
+    append(study.at("model").at("grouping"), {{"level", "grouping"}});
+    append(study.at("model").at("revolution"), {{"level", "revolution"}});
+  }
+  if (study.contains("cases")) {
+    for (const Json& one : study.at("cases"))
+      append(one.at("outcomes"), {{"level", "cases"}, {"scene", one.at("name")}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string levels_text(const Json& study) {
+  std::string text;
+  if (study.contains("runs")) text += runs_text(study.at("runs"));
+  if (study.contains("model")) text += model_text(study.at("model"));
+  if (study.contains("cases")) text += cases_text(study.at("cases"));
+  return text;
+}
+
+std::string levels_csv(const Json& study) {
+  const std::vector<Json> rows = all_rows(study);
+  std::vector<std::string> columns;
+  for (const Json& row : rows) {
+    for (const auto& [key, value] : row.items()) {
+      if (std::find(columns.begin(), columns.end(), key) == columns.end()) columns.push_back(key);
+    }
+  }
+  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+  for (const Json& row : rows) {
+    const char* before = "";
+    for (const std::string& column : columns) {
+      text += before;
+      before = ",";
+      if (!row.contains(column)) continue;
+      const Json& value = row.at(column);
+      text += value.is_string() ? field(value.get<std::string>()) : json_text(value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace tps::cost
