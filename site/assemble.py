@@ -80,11 +80,14 @@ def reference_script(wasm):
 
 
 def headers():
-    """The functions of the equations by operation, for the column of code."""
-    names = {"distance": "eq1_distance", "block_time": "eq2_collision_time", "tether_time": "eq2_collision_time", "paper_time": "eq2_paper_time",
-             "apply_impulse": "eq3_apply_impulse", "collision_impulse": "eq4_collision_impulse", "revolution_impulse": "eq5_revolution_impulse",
-             "tether_response": "tether_response", "load": "eq6_load_velocity", "restitution_impulse": "eq7_restitution_impulse"}
-    return {op: (ROOT / "reference" / "equations" / f"{name}.hpp").read_text() for op, name in names.items()}
+    """The headers that compute each operation, in the order in which they do."""
+    frame, time = "collision_frame", ["eq2_approach", "eq2_collision_time"]
+    names = {"distance": ["eq1_distance"], "block_time": time, "tether_time": time, "paper_time": ["eq2_paper_time"], "apply_impulse": ["eq3_apply_impulse"],
+             "collision_impulse": [frame, "eq4_collision_impulse"], "revolution_impulse": [frame, "eq5_revolution_impulse"],
+             "tether_response": [frame, "tether_response", "eq4_collision_impulse", "eq5_revolution_impulse"], "load": ["eq6_load_velocity"],
+             "restitution_impulse": ["eq7_restitution_impulse"]}
+    folder = ROOT / "reference" / "equations"
+    return {op: "\n".join(f"// reference/equations/{name}.hpp\n" + (folder / f"{name}.hpp").read_text() for name in list_) for op, list_ in names.items()}
 
 
 def main():
