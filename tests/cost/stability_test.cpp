@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/cost/stratum_questions.hpp"
 #include "verify/cost/exact_answer.hpp"
-#include "verify/cost/questions.hpp"
 #include "verify/cost/variant.hpp"
 #include "verify/vectors/timing_strata.hpp"
 
@@ -42,32 +42,11 @@ Scaled worst_error(const std::vector<TimingQuery>& queries, const Variant& varia
   return result;
 }
 
-/// How a stratum can be asked.
-struct Asked {
-  bool in_single;   ///< every number rounded to single precision, so that all scalars are asked the same
-  int fewest_bits;  ///< scalars with fewer do not hold the hazard, or cannot resolve it
-};
-
-Asked asked(const std::string& stratum) {
-  if (stratum == "any_scale" || stratum == "wide" || stratum == "subnormal") return {false, 113};
-  if (stratum == "near_static" || stratum == "offset_origin") return {false, 53};
-  if (stratum == "taut") return {true, 53};  // h and c are rounding noise: u cond is about 1 in float
-  return {true, 24};
-}
-
-std::vector<TimingQuery> questions_for(const std::string& stratum) {
-  std::vector<TimingQuery> result;
-  for (const TimingQuery& query : questions(stratum, 5, kQuestions)) {
-    result.push_back(asked(stratum).in_single ? in_single_precision(query) : query);
-  }
-  return result;
-}
-
 class Stability : public testing::TestWithParam<Hazard> {};
 
 TEST_P(Stability, ErrorsShrinkAsTheUnitRoundoff) {
   const int fewest = asked(GetParam().name).fewest_bits;
-  const std::vector<TimingQuery> queries = questions_for(GetParam().name);
+  const std::vector<TimingQuery> queries = questions_for(GetParam().name, kQuestions);
   int scalars = 0;
   for (const Variant& variant : variants()) {
     if (variant.formula != "stable" || variant.bits < fewest) continue;
@@ -87,7 +66,7 @@ TEST(StabilityBound, SeesLostDigits) {
   Variant pretender = variants().front();
   ASSERT_EQ(pretender.bits, 53);
   pretender.bits = 64;
-  EXPECT_GT(worst_error(questions_for("plain"), pretender).worst, kBound);
+  EXPECT_GT(worst_error(questions_for("plain", kQuestions), pretender).worst, kBound);
 }
 
 }  // namespace

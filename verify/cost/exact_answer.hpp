@@ -10,6 +10,19 @@
 
 namespace tps::cost {
 
+/// The quadratic a t² + 2 h t + c and its D against the sums of magnitudes that bound their roundings:
+/// H = Σ|r_k v_k|, M = |r|² + L². Exact, then rounded to double.
+struct Magnitudes {
+  double h;    ///< |h| / H
+  double c;    ///< |c| / M
+  double D;    ///< |D| / (a M)
+  double hh;   ///< h² / (a M)
+  double rr;   ///< |r|² / M
+  double LL;   ///< L² / M
+  double ww;   ///< |r × v|² / (a M)
+  double sum;  ///< (|h| + √D)² / (a M), D ≥ 0; else as hh
+};
+
 /// The exact answer to one query, and what makes it hard.
 class ExactAnswer {
  public:
@@ -28,6 +41,13 @@ class ExactAnswer {
   /// log2 |t̂ − t| / t, to which 2^-1000 is as good as nothing. REQUIRES occurs(), not at_once().
   double log2_error(const ExactNumber& t) const;
 
+  /// |a t̂² + 2 h t̂ + c| / (a t̂² + 2 H t̂ + M): how far from the limit the pair is at t̂, as a relative error of
+  /// the terms of eq. (1), squared. REQUIRES occurs(), not at_once().
+  double residual(const ExactNumber& t) const;
+
+  /// Absent for a pair without relative motion.
+  const std::optional<Magnitudes>& magnitudes() const { return magnitudes_; }
+
   /// How much a relative error of one unit in each coefficient moves the time, in units
   /// (verify/vectors/time_bracket.hpp); absent where there is no time to move.
   std::optional<double> condition() const { return condition_; }
@@ -41,6 +61,7 @@ class ExactAnswer {
   exact::Verdict verdict_;
   bool in_range_ = false;
   std::unique_ptr<Time> time_;
+  std::optional<Magnitudes> magnitudes_;
   std::optional<double> condition_, log2_from_tangency_;
 };
 

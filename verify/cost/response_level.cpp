@@ -1,0 +1,173 @@
+#include "verify/cost/response_level.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "verify/certified/certified_response.hpp"
+#include "verify/cost/statistics.hpp"
+#include "verify/vectors/stratum.hpp"
+
+namespace tps::cost {
+namespace {
+
+struct Judge {
+  std::array<certified::Enclosure, 3> impulse;
+  std::string kind;
+  bool boundary;
+};
+
+/// Questions of one stratum with their certified answers.
+struct Subject {
+  std::vector<ResponseQuestion> questions;
+  std::vector<Judge> judges;
+};
+
+eval::Input input_of(const vectors::Json& in) {
+  eval::Input input;
+  for (const auto& [key, value] : in.items()) {
+    input.values[key] =
+        value.is_array() ? vectors::read_vector(value) : std::vector<double>{vectors::read_number(value)};
+  }
+  input.dimension = static_cast<int>(input.values.at("v_A").size());
+  return input;
+}
+
+ResponseQuestion question_of(const eval::Input& input) {
+  ResponseQuestion question{};
+  const auto copy = [&](const char* key, double* to, std::size_t most) {
+    const auto found = input.values.find(key);
+    if (found == input.values.end()) return;
+    std::copy_n(found->second.begin(), std::min(most, found->second.size()), to);
+  };
+  copy("u_A", question.u_A, 3);
+  copy("u_B", question.u_B, 3);
+  copy("v_A", question.v_A, 3);
+  copy("v_B", question.v_B, 3);
+  copy("dp", question.dp, 3);
+  copy("m_A", &question.m_A, 1);
+  copy("m_B", &question.m_B, 1);
+  copy("c", &question.c, 1);
+  copy("c_retract", &question.c_retract, 1);
+  copy("c_revolve", &question.c_revolve, 1);
+  copy("theta_revolve_deg", &question.theta_revolve_deg, 1);
+  return question;
+}
+
+Judge judge_of(eval::Op op, const eval::Input& input) {
+  const certified::Response response = certified::certified_response(op, input);
+  Judge judge{{}, response.kind, response.boundary};
+  const certified::EnclosedVector& dp =
+      response.values.at(op == eval::Op::restitution_impulse ? "dp_AB" : "dp");
+  std::copy(dp.begin(), dp.end(), judge.impulse.begin());
+  return judge;
+}
+
+Subject subject_of(const vectors::Stratum& stratum, const ResponseLevelOptions& options) {
+  const eval::Op op = eval::find_operation(stratum.op)->op;
+  Subject subject;
+  for (std::uint64_t number = 0; number < static_cast<std::uint64_t>(options.questions); ++number) {
+    vectors::Random random(options.seed, stratum.file_name(), number / static_cast<std::uint64_t>(stratum.together));
+    const eval::Input input = input_of(stratum.problem(random, number).in);
+    subject.questions.push_back(question_of(input));
+    subject.judges.push_back(judge_of(op, input));
+  }
+  return subject;
+}
+
+double norm(double x, double y, double z) {
+  return std::hypot(x, y, z);
+}
+
+/// |Δp̂ − Δp| / |Δp|; absent where Δp is zero.
+std::optional<double> relative_error(const ResponseAnswer& answer, const Judge& judge) {
+  const auto& p = judge.impulse;
+  const double size = norm(p[0].nearest, p[1].nearest, p[2].nearest);
+  if (size == 0) return std::nullopt;
+  return norm(answer.impulse[0] - p[0].nearest, answer.impulse[1] - p[1].nearest, answer.impulse[2] - p[2].nearest) / size;
+}
+
+bool is_off(const ResponseAnswer& answer, const Judge& judge) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(judge.impulse[k].lo <= answer.impulse[k] && answer.impulse[k] <= judge.impulse[k].hi)) return true;
+  }
+  return false;
+}
+
+double cpu_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+/// Of short loops the clock is a part: each is repeated for 50 microseconds at least.
+double median_ns(const ResponseVariant& variant, const std::vector<ResponseQuestion>& questions, int repetitions) {
+  constexpr double kShortest = 50'000;
+  const auto count = static_cast<double>(questions.size());
+  const double start = cpu_ns();
+  variant.throughput(questions);
+  const int passes = std::max(1, static_cast<int>(kShortest / std::max(cpu_ns() - start, 1.0)));
+  std::vector<double> samples;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    const double from = cpu_ns();
+    for (int pass = 0; pass < passes; ++pass) variant.throughput(questions);
+    samples.push_back((cpu_ns() - from) / (passes * count));
+  }
+  return quantiles(samples).median;
+}
+
+ResponseRow row_of(const vectors::Stratum& stratum, const Subject& subject, const ResponseVariant& variant,
+                   int repetitions) {
+  constexpr int kSeen = 53;          // bits: what a double holds of the truth
+  constexpr double kNothing = -1000;  // log2 of no error at all
+  ResponseRow row;
+  row.op = stratum.op;
+  row.stratum = stratum.name;
+  row.scalar = variant.scalar;
+  row.bits = variant.bits;
+  row.asked = subject.questions.size();
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < subject.questions.size(); ++k) {
+    const ResponseAnswer answer = variant.answer(subject.questions[k]);
+    const Judge& judge = subject.judges[k];
+    if (!judge.kind.empty() && answer.revolves != (judge.kind == "revolve")) {
+      if (!judge.boundary) ++row.other_kind;
+      continue;
+    }
+    if (is_off(answer, judge)) ++row.off;
+    const std::optional<double> error = relative_error(answer, judge);
+    if (error) errors.push_back(*error > 0 ? std::log2(*error) : *error == 0 ? kNothing : std::numeric_limits<double>::max());
+  }
+  if (!errors.empty() && variant.bits <= kSeen) {
+    std::sort(errors.begin(), errors.end());
+    row.log2_p50 = quantile(errors, 0.5);
+    row.log2_p99 = quantile(errors, 0.99);
+    row.log2_max = errors.back();
+  }
+  row.ns = median_ns(variant, subject.questions, repetitions);
+  return row;
+}
+
+}  // namespace
+
+ResponseLevel measure_responses(const ResponseLevelOptions& options) {
+  ResponseLevel level;
+  level.seed = options.seed;
+  level.questions = options.questions;
+  const std::vector<ResponseVariant> variants = response_variants();
+  for (const vectors::Stratum& stratum : vectors::strata()) {
+    const auto is_asked = [&](const ResponseVariant& variant) { return variant.op == stratum.op; };
+    if (std::none_of(variants.begin(), variants.end(), is_asked)) continue;
+    options.announce(stratum.op + ", " + stratum.name);
+    const Subject subject = subject_of(stratum, options);
+    for (const ResponseVariant& variant : variants) {
+      if (is_asked(variant)) level.rows.push_back(row_of(stratum, subject, variant, options.repetitions));
+    }
+  }
+  return level;
+}
+
+}  // namespace tps::cost
