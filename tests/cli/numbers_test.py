@@ -16,7 +16,7 @@ MAYBE = {"inf", "0", "1e308", "1e-320", "18446744073709551615", "0x1p3"}  # take
 WORDS = {"-h", "--help", "--version", "-o", "--output", "--format", "--checkpoint", "--resume", "--scene", "--witness", "--law", "--library", "--regressions",
          "--replay", "--in", "--op", "--stratum", "--answers", "--list", "--quiet", "-q", "--why", "--without-random-impulses", "--bitwise", "--trust-draws", "--scalar", "--timing", "--detector",
          "--profile", "--expect-fail", "--hypotheses", "--runs", "--hazards", "--simulator", "--quick", "--variant", "--without-times", "--from", "--json", "--csv",
-         "--page", "--view", "--model", "--hard-cases", "--case"}
+         "--page", "--view", "--responses", "--model", "--hard-cases", "--case"}
 # Of a verb what it needs besides.
 NEEDED = {"run": ["scene"], "check": ["trace"], "explain": ["scene"], "draw": ["trace"], "import": ["scenario"], "eval": ["load", "--in", "input"],
           "vectors verify": ["vectors"], "vectors requests": ["vectors"], "properties": ["--law", "Eq6Laws.Law1*", "--cases", "1"],

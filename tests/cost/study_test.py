@@ -124,6 +124,15 @@ def test_runs(folder):
     check(len(figures_of(page)[1]) == len(runs), "a mark for each rate")
 
 
+def test_responses(folder):
+    study, rows, page = level_study(folder, "--responses", "--questions", "4")
+    responses = study["responses"]["rows"]
+    check(len(rows) == len(responses) and all(r["asked"] == 4 for r in responses), "a row for each, of four questions")
+    check(all(float(row["ns"]) == r["ns"] for row, r in zip(rows, responses)), "other times")
+    plain = [r for r in responses if r["stratum"] == "plain"]
+    check(len(figures_of(page)[0]) == len(plain) == 24, "a mark for each operation and scalar on plain")
+
+
 def test_model(folder):
     study, rows, page = level_study(folder, "--model")
     grouping, revolution = study["model"]["grouping"], study["model"]["revolution"]
@@ -143,7 +152,7 @@ def test_hard_cases(folder):
 
 def test_refusals(folder):
     for arguments in (["--runs", "--quick"], ["--runs", "--model"], ["--model", "--stratum", "plain"], ["--hard-cases", "--seed", "2"], ["--case", "huge"],
-                      ["--runs", "--from", "x.json"], ["--hard-cases", "--case", "guessed"], ["--events", "5"]):
+                      ["--runs", "--from", "x.json"], ["--runs", "--questions", "5"], ["--hard-cases", "--case", "guessed"], ["--events", "5"]):
         message = cost(*arguments, expect=2).stderr
         check(arguments[0] in message or arguments[-2] in message, f"{arguments}: {message}")
     half = folder / "half.json"
@@ -157,6 +166,6 @@ def test_refusals(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_runs, test_model, test_hard_cases, test_refusals):
+    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_responses, test_runs, test_model, test_hard_cases, test_refusals):
         test(pathlib.Path(name))
 print("the study, its table, its text and its page agree")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
@@ -23,11 +24,13 @@ using namespace tps::cost;
 struct CostArguments {
   StudyOptions options;
   std::vector<std::string> variants, strata, case_names;
+  std::optional<int> questions_given;
   std::uint64_t events = 3000;  // of each run of --runs, at most
   std::string from, json, csv, page, format = "text";
-  bool runs = false, model = false, cases = false, quick = false, without_times = false, quiet = false;
+  bool responses = false, runs = false, model = false, cases = false, quick = false, without_times = false,
+       quiet = false;
 
-  bool is_of_questions() const { return !runs && !model && !cases; }
+  bool is_of_questions() const { return !responses && !runs && !model && !cases; }
 };
 
 std::vector<std::string> variant_names() {
@@ -109,6 +112,13 @@ Json measured_level(const CostArguments& a) {
     }
     return cases_json(results, this_machine());
   }
+  if (a.responses) {
+    ResponseLevelOptions options;
+    options.seed = a.options.seed;
+    options.questions = a.questions_given.value_or(options.questions);
+    options.announce = announce;
+    return responses_json(measure_responses(options), this_machine());
+  }
   if (a.model) return model_json(measure_model({a.options.seed, announce}), this_machine());
   RunLevelOptions options;
   options.seed = a.options.seed;
@@ -124,6 +134,7 @@ With --json FILE a call that was interrupted goes on where the file ends.
 Examples: tps cost --quick --page cost.html
           tps cost --quick --stratum graze --variant stable-double,certified-time
           tps cost --from cost.json --page cost.html
+          tps cost --responses --csv responses.csv
           tps cost --runs --page runs.html
           tps cost --model --csv model.csv
           tps cost --hard-cases)";
@@ -153,6 +164,8 @@ void run_cost(const CostArguments& a) {
 /// beside them.
 void add_levels(CLI::App& verb, CostArguments& a) {
   CLI::Option* const levels[] = {
+      verb.add_flag("--responses", a.responses,
+                    "Responses instead: eqs. (4), (5) and (7) in each scalar, against enclosures"),
       verb.add_flag("--runs", a.runs,
                     "Whole runs instead: events a second, drift, horizon, in each scalar and timing"),
       verb.add_flag("--model", a.model, "The model's own numbers instead: dt_restitute and theta_revolve"),
@@ -161,22 +174,23 @@ void add_levels(CLI::App& verb, CostArguments& a) {
   for (CLI::Option* const level : levels) {
     for (const char* other :
          {"--variant", "--stratum", "--questions", "--repetitions", "--without-times", "--quick"}) {
-      level->excludes(verb.get_option(other));
+      const bool has_questions = level == levels[0] && std::string_view(other) == "--questions";
+      if (!has_questions) level->excludes(verb.get_option(other));
     }
     for (CLI::Option* const another : levels) {
       if (another != level) level->excludes(another);
     }
   }
-  levels[2]->excludes(verb.get_option("--seed"));  // its scenes are fixed
+  levels[3]->excludes(verb.get_option("--seed"));  // its scenes are fixed
   verb.add_option("--events", a.events, "Events of each of the runs, at most")
       ->check(integer_from(1, "a number of events"))
       ->capture_default_str()
-      ->needs(levels[0]);
+      ->needs(levels[1]);
   verb.add_option("--case", a.case_names, "Only these hard cases")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(names_of_cases()))
-      ->needs(levels[2]);
+      ->needs(levels[3]);
 }
 
 }  // namespace
@@ -193,7 +207,8 @@ void add_cost(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(stratum_names()));
-  verb->add_option("--questions", a->options.questions, "Questions of each stratum (default: 50000; 2000)")
+  verb->add_option("--questions", a->options.questions,
+                   "Questions of each stratum (default: 50000; 2000; 200 of responses)")
       ->check(CLI::Range(1, 10'000'000));
   verb->add_option("--repetitions", a->options.repetitions, "Repetitions of each loop (default: 31; 9)")
       ->check(CLI::Range(1, 10'000));
@@ -201,6 +216,7 @@ void add_cost(CLI::App& app, int& exit_code) {
   verb->add_flag("--without-times", a->without_times, "Verdicts and errors only: the same on every machine");
   add_levels(*verb, *a);
   verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring")
+      ->excludes("--responses")
       ->excludes("--runs")
       ->excludes("--model")
       ->excludes("--hard-cases");
@@ -215,7 +231,10 @@ void add_cost(CLI::App& app, int& exit_code) {
   verb->callback([=, &exit_code] {
     const StudyOptions given = a->options;
     StudyOptions defaults = a->quick ? StudyOptions{} : kFull;
-    if (verb->count("--questions") > 0) defaults.questions = given.questions;
+    if (verb->count("--questions") > 0) {
+      defaults.questions = given.questions;
+      a->questions_given = given.questions;
+    }
     if (verb->count("--repetitions") > 0) defaults.repetitions = given.repetitions;
     defaults.seed = given.seed;
     a->options = defaults;

@@ -46,6 +46,18 @@ Json row_json(const RevolutionRow& row) {
           {"momentum_at_first", rounded(row.momentum_at_first)}};
 }
 
+Json row_json(const ResponseRow& row) {
+  Json json{{"op", row.op},     {"stratum", row.stratum}, {"scalar", row.scalar},
+            {"bits", row.bits}, {"asked", row.asked},     {"other_kind", row.other_kind},
+            {"lost", row.lost}, {"off", row.off},         {"ns", rounded(row.ns)}};
+  if (row.log2_max) {
+    json["log2_p50"] = rounded(*row.log2_p50);
+    json["log2_p99"] = rounded(*row.log2_p99);
+    json["log2_max"] = rounded(*row.log2_max);
+  }
+  return json;
+}
+
 template <typename Row>
 Json rows_json(const std::vector<Row>& rows) {
   Json json = Json::array();
@@ -103,6 +115,13 @@ Json model_json(const ModelLevel& level, const Machine& machine) {
                     {"truths", truths},
                     {"grouping", rows_json(level.grouping)},
                     {"revolution", rows_json(level.revolution)}};
+  return study;
+}
+
+Json responses_json(const ResponseLevel& level, const Machine& machine) {
+  Json study = study_of(machine);
+  study["responses"] = {
+      {"seed", level.seed}, {"questions", level.questions}, {"rows", rows_json(level.rows)}};
   return study;
 }
 

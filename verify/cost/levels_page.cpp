@@ -14,6 +14,10 @@
 namespace tps::cost {
 namespace {
 
+constexpr const char* kResponsesText =
+    R"(<h2>Responses: eqs. (4), (5) and (7)</h2>
+<p>Against certified enclosures between doubles. <i>Off</i>: a component, as a double, lies outside of its enclosure. Errors are told for float and double.</p>
+)";
 constexpr const char* kRunsText =
     R"(<h2>Whole runs: the horizon</h2>
 <p>How many events, in order, are those of the run in 100 digits. A scalar that has all of them has no mark.</p>
@@ -102,6 +106,41 @@ std::string figures(std::vector<Lines> all) {
 std::string horizon_tip(const Json& row) {
   return fmt::format("{} collisions or events of {}", json_text(row.at("horizon")),
                      json_text(row.at("events")));
+}
+
+std::string responses_page(const Json& responses) {
+  Names names;
+  Lines times(names, "time against bits, stratum plain", {"bits of the scalar", 0, 350, 0, 50},
+              {"ns a response", 0, 6, 10, 1});
+  Lines errors(names, "error in double, by stratum", {"stratum, in the order of the table", 0, 13, 0, 1},
+               {"relative error, p99", -55, 1, 2, 5});
+  std::string table =
+      "<div "
+      "class=\"scroll\"><table>\n<tr><th>operation</th><th>stratum</th><th>scalar</th><th>ns</th><th>asked</"
+      "th>"
+      "<th>other kind</th><th>lost</th><th>off</th><th>log2 error p50</th><th>p99</th><th>max "
+      "seen</th></tr>\n";
+  std::map<std::string, int> strata;
+  for (const Json& row : responses.at("rows")) {
+    const std::string op = text_at(row, "op"), stratum = text_at(row, "stratum"),
+                      scalar = text_at(row, "scalar");
+    const double ns = number_at(row, "ns");
+    if (stratum == "plain") {
+      times.add(op, {number_at(row, "bits"), log10_of(ns, 0)}, fmt::format("{}, {:.4g} ns", scalar, ns));
+    }
+    if (scalar == "double" && row.contains("log2_p99")) {
+      const int place = strata.try_emplace(stratum, static_cast<int>(strata.size())).first->second;
+      errors.add(op, {place + 0.5, number_at(row, "log2_p99")},
+                 fmt::format("{}, 2^{:.1f} at p99", stratum, number_at(row, "log2_p99")));
+    }
+    table += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", xml_text(op), xml_text(stratum),
+                         xml_text(scalar));
+    for (const char* key : {"ns", "asked", "other_kind", "lost", "off", "log2_p50", "log2_p99", "log2_max"}) {
+      table += fmt::format("<td>{}</td>", row.contains(key) ? json_text(row.at(key)) : "–");
+    }
+    table += "</tr>\n";
+  }
+  return kResponsesText + figures({times, errors}) + table + "</table></div>\n";
 }
 
 std::string runs_page(const Json& runs) {
@@ -216,6 +255,7 @@ std::string cases_page(const Json& cases) {
 
 std::string levels_page(const Json& study) {
   std::string text;
+  if (study.contains("responses")) text += responses_page(study.at("responses"));
   if (study.contains("runs")) text += runs_page(study.at("runs"));
   if (study.contains("model")) text += grouping_page(study.at("model")) + revolution_page(study.at("model"));
   if (study.contains("cases")) text += cases_page(study.at("cases"));

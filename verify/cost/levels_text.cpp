@@ -98,6 +98,27 @@ std::string cases_text(const Json& cases) {
   return text;
 }
 
+/// log2 of an error over the unit roundoff, where it is told.
+std::string bits_lost(const Json& row, const char* key) {
+  if (!row.contains(key)) return "-";
+  const double lost = number_at(row, key) + number_at(row, "bits");
+  return lost <= 0 ? "0" : fmt::format("{:.1f}", lost);
+}
+
+std::string responses_text(const Json& responses) {
+  std::string text =
+      fmt::format("{:<20}{:<15}{:<13}{:>9}{:>7}{:>7}{:>7}{:>7}{:>8}{:>8}{:>8}\n", "operation", "stratum",
+                  "scalar", "ns", "asked", "kind", "lost", "off", "lost50", "lost99", "most");
+  for (const Json& row : responses.at("rows")) {
+    text += fmt::format("{:<20}{:<15}{:<13}{:>9.4g}{:>7}{:>7}{:>7}{:>7}{:>8}{:>8}{:>8}\n",
+                        shown_at(row, "op"), shown_at(row, "stratum"), shown_at(row, "scalar"),
+                        number_at(row, "ns"), json_text(row.at("asked")), json_text(row.at("other_kind")),
+                        json_text(row.at("lost")), json_text(row.at("off")), bits_lost(row, "log2_p50"),
+                        bits_lost(row, "log2_p99"), bits_lost(row, "log2_max"));
+  }
+  return text;
+}
+
 /// A text as a field of CSV (RFC 4180).
 std::string field(const std::string& text) {
   const std::string safe = printable(text);
@@ -116,6 +137,7 @@ std::vector<Json> all_rows(const Json& study) {
       rows.back().update(row);
     }
   };
+  if (study.contains("responses")) append(study.at("responses").at("rows"), {{"level", "responses"}});
   if (study.contains("runs")) append(study.at("runs").at("rows"), {{"level", "runs"}});
   if (study.contains("model")) {
     append(study.at("model").at("grouping"), {{"level", "grouping"}});
@@ -132,6 +154,7 @@ std::vector<Json> all_rows(const Json& study) {
 
 std::string levels_text(const Json& study) {
   std::string text;
+  if (study.contains("responses")) text += responses_text(study.at("responses"));
   if (study.contains("runs")) text += runs_text(study.at("runs"));
   if (study.contains("model")) text += model_text(study.at("model"));
   if (study.contains("cases")) text += cases_text(study.at("cases"));

@@ -21,7 +21,7 @@ struct Judge {
 };
 
 /// Questions of one stratum with their certified answers.
-struct Subject {
+struct Sample {
   std::vector<ResponseQuestion> questions;
   std::vector<Judge> judges;
 };
@@ -66,16 +66,17 @@ Judge judge_of(eval::Op op, const eval::Input& input) {
   return judge;
 }
 
-Subject subject_of(const vectors::Stratum& stratum, const ResponseLevelOptions& options) {
+Sample sample_of(const vectors::Stratum& stratum, const ResponseLevelOptions& options) {
   const eval::Op op = eval::find_operation(stratum.op)->op;
-  Subject subject;
+  Sample sample;
   for (std::uint64_t number = 0; number < static_cast<std::uint64_t>(options.questions); ++number) {
-    vectors::Random random(options.seed, stratum.file_name(), number / static_cast<std::uint64_t>(stratum.together));
+    vectors::Random random(options.seed, stratum.file_name(),
+                           number / static_cast<std::uint64_t>(stratum.together));
     const eval::Input input = input_of(stratum.problem(random, number).in);
-    subject.questions.push_back(question_of(input));
-    subject.judges.push_back(judge_of(op, input));
+    sample.questions.push_back(question_of(input));
+    sample.judges.push_back(judge_of(op, input));
   }
-  return subject;
+  return sample;
 }
 
 double norm(double x, double y, double z) {
@@ -87,7 +88,14 @@ std::optional<double> relative_error(const ResponseAnswer& answer, const Judge& 
   const auto& p = judge.impulse;
   const double size = norm(p[0].nearest, p[1].nearest, p[2].nearest);
   if (size == 0) return std::nullopt;
-  return norm(answer.impulse[0] - p[0].nearest, answer.impulse[1] - p[1].nearest, answer.impulse[2] - p[2].nearest) / size;
+  return norm(answer.impulse[0] - p[0].nearest, answer.impulse[1] - p[1].nearest,
+              answer.impulse[2] - p[2].nearest) /
+         size;
+}
+
+bool is_finite(const ResponseAnswer& answer) {
+  return std::all_of(std::begin(answer.impulse), std::end(answer.impulse),
+                     [](double x) { return std::isfinite(x); });
 }
 
 bool is_off(const ResponseAnswer& answer, const Judge& judge) {
@@ -104,7 +112,8 @@ double cpu_ns() {
 }
 
 /// Of short loops the clock is a part: each is repeated for 50 microseconds at least.
-double median_ns(const ResponseVariant& variant, const std::vector<ResponseQuestion>& questions, int repetitions) {
+double median_ns(const ResponseVariant& variant, const std::vector<ResponseQuestion>& questions,
+                 int repetitions) {
   constexpr double kShortest = 50'000;
   const auto count = static_cast<double>(questions.size());
   const double start = cpu_ns();
@@ -119,27 +128,31 @@ double median_ns(const ResponseVariant& variant, const std::vector<ResponseQuest
   return quantiles(samples).median;
 }
 
-ResponseRow row_of(const vectors::Stratum& stratum, const Subject& subject, const ResponseVariant& variant,
+ResponseRow row_of(const vectors::Stratum& stratum, const Sample& sample, const ResponseVariant& variant,
                    int repetitions) {
-  constexpr int kSeen = 53;          // bits: what a double holds of the truth
+  constexpr int kSeen = 53;           // bits: what a double holds of the truth
   constexpr double kNothing = -1000;  // log2 of no error at all
   ResponseRow row;
   row.op = stratum.op;
   row.stratum = stratum.name;
   row.scalar = variant.scalar;
   row.bits = variant.bits;
-  row.asked = subject.questions.size();
+  row.asked = sample.questions.size();
   std::vector<double> errors;
-  for (std::size_t k = 0; k < subject.questions.size(); ++k) {
-    const ResponseAnswer answer = variant.answer(subject.questions[k]);
-    const Judge& judge = subject.judges[k];
+  for (std::size_t k = 0; k < sample.questions.size(); ++k) {
+    const ResponseAnswer answer = variant.answer(sample.questions[k]);
+    const Judge& judge = sample.judges[k];
     if (!judge.kind.empty() && answer.revolves != (judge.kind == "revolve")) {
       if (!judge.boundary) ++row.other_kind;
       continue;
     }
+    if (!is_finite(answer)) {
+      ++row.lost;
+      continue;
+    }
     if (is_off(answer, judge)) ++row.off;
     const std::optional<double> error = relative_error(answer, judge);
-    if (error) errors.push_back(*error > 0 ? std::log2(*error) : *error == 0 ? kNothing : std::numeric_limits<double>::max());
+    if (error) errors.push_back(*error > 0 ? std::log2(*error) : kNothing);
   }
   if (!errors.empty() && variant.bits <= kSeen) {
     std::sort(errors.begin(), errors.end());
@@ -147,7 +160,7 @@ ResponseRow row_of(const vectors::Stratum& stratum, const Subject& subject, cons
     row.log2_p99 = quantile(errors, 0.99);
     row.log2_max = errors.back();
   }
-  row.ns = median_ns(variant, subject.questions, repetitions);
+  row.ns = median_ns(variant, sample.questions, repetitions);
   return row;
 }
 
@@ -162,9 +175,9 @@ ResponseLevel measure_responses(const ResponseLevelOptions& options) {
     const auto is_asked = [&](const ResponseVariant& variant) { return variant.op == stratum.op; };
     if (std::none_of(variants.begin(), variants.end(), is_asked)) continue;
     options.announce(stratum.op + ", " + stratum.name);
-    const Subject subject = subject_of(stratum, options);
+    const Sample sample = sample_of(stratum, options);
     for (const ResponseVariant& variant : variants) {
-      if (is_asked(variant)) level.rows.push_back(row_of(stratum, subject, variant, options.repetitions));
+      if (is_asked(variant)) level.rows.push_back(row_of(stratum, sample, variant, options.repetitions));
     }
   }
   return level;

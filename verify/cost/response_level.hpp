@@ -42,9 +42,10 @@ struct ResponseRow {
   int bits = 0;
   std::uint64_t asked = 0;
   std::uint64_t other_kind = 0;  ///< retracts where it should revolve, or the reverse; boundaries not counted
-  std::uint64_t off = 0;         ///< a component, as a double, lies outside of its enclosure
-  /// log2 |Δp̂ − Δp| / |Δp| of the others, Δp being rounded to double, where it is not zero; told for float and
-  /// double, since what is closer than that is not seen.
+  std::uint64_t lost = 0;        ///< no finite number: beyond the range of the scalar
+  std::uint64_t off = 0;         ///< a component, as a double, lies outside of its enclosure; of the others
+  /// log2 |Δp̂ − Δp| / |Δp| of the others, Δp being rounded to double, where it is not zero; told for float
+  /// and double, since what is closer than that is not seen.
   std::optional<double> log2_p50, log2_p99, log2_max;
   double ns = 0;  ///< a question: median over the repetitions
 };

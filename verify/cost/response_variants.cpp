@@ -33,8 +33,8 @@ ResponseAnswer collision(const ResponseQuestion& q) {
 
 template <typename Scalar>
 ResponseAnswer revolution(const ResponseQuestion& q) {
-  return answer_of<Scalar>(revolution_impulse<Scalar, 3>(
-      frame_of<Scalar>(q), Scalar(q.m_A), Scalar(q.m_B), Scalar(q.c_revolve), Scalar(q.theta_revolve_deg)));
+  return answer_of<Scalar>(revolution_impulse<Scalar, 3>(frame_of<Scalar>(q), Scalar(q.m_A), Scalar(q.m_B),
+                                                         Scalar(q.c_revolve), Scalar(q.theta_revolve_deg)));
 }
 
 template <typename Scalar>
@@ -46,9 +46,9 @@ ResponseAnswer restitution(const ResponseQuestion& q) {
 
 template <typename Scalar>
 ResponseAnswer tether(const ResponseQuestion& q) {
-  const TetherResponse<Scalar, 3> response = tether_response<Scalar, 3>(
-      frame_of<Scalar>(q), Scalar(q.m_A), Scalar(q.m_B), Scalar(q.c_retract), Scalar(q.c_revolve),
-      Scalar(q.theta_revolve_deg));
+  const TetherResponse<Scalar, 3> response =
+      tether_response<Scalar, 3>(frame_of<Scalar>(q), Scalar(q.m_A), Scalar(q.m_B), Scalar(q.c_retract),
+                                 Scalar(q.c_revolve), Scalar(q.theta_revolve_deg));
   ResponseAnswer answer = answer_of<Scalar>(response.dp);
   answer.revolves = response.kind == TetherResponseKind::revolve;
   return answer;
