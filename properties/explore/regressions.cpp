@@ -65,8 +65,7 @@ Regression read_regression(const std::string& line, const std::string& name, std
   const Law* law = find_law(id);
   if (law == nullptr) {
     throw std::invalid_argument(
-        fmt::format("there is no law {}; did you mean {}? tps properties --list has all", id,
-                    nearest_name(id, law_ids())));
+        fmt::format("there is no law {}{} tps properties --list has all", id, did_you_mean(id, law_ids())));
   }
   const Case c = read_case(json.at("case"));
   check_numbers(*law, c);

@@ -36,7 +36,7 @@ JsonDocument head_of(const std::string& path) {
   refuse_other_kinds_of_file(path, "a trace or a checkpoint", {FileKind::trace, FileKind::checkpoint});
   TraceLines lines(path);
   if (!lines.next()) fail(path, 1, "holds no complete line; a trace starts with {\"trace\":1,…}");
-  JsonDocument document = parse_json(lines.text, path);
+  JsonDocument document = parse_json(lines.text, path, kSceneLimits);
   document.problems.throw_if_any();
   if (document.root.find("trace") == nullptr && document.root.find("checkpoint") == nullptr) {
     fail(path, 1,

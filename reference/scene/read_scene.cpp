@@ -29,14 +29,13 @@ Scene read_document(JsonDocument document) {
 }  // namespace
 
 Scene read_scene_file(const std::string& path) {
-  const JsonLimits limits;
-  const std::string text = read_text_file(path, limits.max_bytes, too_large_remedy);
+  const std::string text = read_text_file(path, kSceneLimits.max_bytes, too_large_remedy);
   refuse_other_kinds(text, display_name(path), "a scene", {FileKind::scene});
-  return read_document(parse_json(text, display_name(path), limits));
+  return read_document(parse_json(text, display_name(path), kSceneLimits));
 }
 
 Scene read_scene_text(std::string_view text, const std::string& name) {
-  return read_document(parse_json(text, name));
+  return read_document(parse_json(text, name, kSceneLimits));
 }
 
 Scene read_scene_value(const JsonValue& value, const std::string& file, const std::string& pointer) {

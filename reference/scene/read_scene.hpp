@@ -10,6 +10,10 @@
 
 namespace tps {
 
+/// What a scene file, or a first line that holds a scene, may cost at most: 10⁶ particles are 190 MB and 11
+/// million values.
+inline constexpr JsonLimits kSceneLimits{std::size_t{256} << 20, 64, 1000, 16'000'000};
+
 /// Reads, validates and checks a scene; path "-" is the standard input. The format is docs/scene.md and
 /// data/schemas/scene.schema.json.
 ///

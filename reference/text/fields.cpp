@@ -22,8 +22,7 @@ void Field::require_keys(std::initializer_list<std::string_view> needed,
     if (in(needed, member.key) || in(optional, member.key)) continue;
     std::vector<std::string> known(needed.begin(), needed.end());
     known.insert(known.end(), optional.begin(), optional.end());
-    inside(member.value, member.key)
-        .refuse(fmt::format("is not known here; did you mean \"{}\"?", nearest_name(member.key, known)));
+    inside(member.value, member.key).refuse("is not known here" + did_you_mean(member.key, known));
   }
   for (const std::string_view key : needed) {
     if (!has(key)) refuse(fmt::format("lacks the key \"{}\"", key));

@@ -67,4 +67,12 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return nearest == end ? std::string() : *nearest;
 }
 
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(name, known);
+  if (nearest.empty()) return ".";
+  const std::size_t near = std::max<std::size_t>(1, std::max(name.size(), nearest.size()) / 3);
+  if (!misfit_of_part(name, nearest) && edit_distance(name, nearest) > near) return ".";
+  return "; did you mean " + nearest + "?";
+}
+
 }  // namespace tps

@@ -18,4 +18,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// if nothing is known.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
+/// For messages about a name that is not known: "; did you mean X?" where the nearest one is a part of it,
+/// has it as a part, or differs in at most a third of the characters; "." where none is that near, since a
+/// wrong hint is worse than none.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
+
 }  // namespace tps

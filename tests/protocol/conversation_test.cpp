@@ -155,7 +155,7 @@ TEST(Conversation, SaysWhatIsWrong) {
       {R"({"seq":1e300,"op":"load","in":{}})", "bad_request", "seq"},
       {R"({"seq":1,"op":1,"in":{}})", "bad_request", "op must be"},
       {R"({"seq":1,"op":"load"})", "bad_request", "in, the input"},
-      {R"({"seq":1,"op":"load","in":{},"tip":0})", "bad_request", "did you mean op"},
+      {R"({"seq":1,"op":"load","in":{},"opp":0})", "bad_request", "did you mean op"},
       {R"({"seq":1,"op":"load","in":[]})", "bad_input", "must be an object"},
       {R"({"seq":1,"op":"load","in":{"m_A":{},"m_B":1,"v_A":[1,0],"v_B":[0,0]}})", "bad_input", "/in/m_A"},
       {R"({"seq":1,"op":"load","in":{"m_A":1,"mB":1,"v_A":[1,0],"v_B":[0,0]}})", "bad_input",

@@ -127,9 +127,9 @@ TEST(Builders, OptionsDescribeThemselves) {
 
 TEST(Builders, ErrorsNameOptionValueAndRange) {
   EXPECT_EQ(message_of("chain", {{"particles", "1"}}),
-            "--particles is \"1\"; allowed is an integer from 2 to 100000");
+            "--particles is \"1\"; allowed is an integer from 2 to 1000000");
   EXPECT_EQ(message_of("chain", {{"particles", "3.5"}}),
-            "--particles is \"3.5\"; allowed is an integer from 2 to 100000");
+            "--particles is \"3.5\"; allowed is an integer from 2 to 1000000");
   EXPECT_EQ(message_of("pair", {{"c-revolve", "1.5"}}),
             "--c-revolve is \"1.5\"; allowed is a number from 0 to 1");
   EXPECT_EQ(message_of("pair", {{"speed", "0"}}), "--speed is \"0\"; allowed is a number above 0 to 1e+100");

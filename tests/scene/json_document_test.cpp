@@ -168,7 +168,7 @@ TEST(HostileText, AMillionKeysAreRefusedQuickly) {
 TEST(HostileFile, DevicesAreReadUpToTheLimitOnly) {
   EXPECT_EQ(
       file_refusal("/dev/zero"),
-      "/dev/zero: is larger than 67108864 bytes, the most that is read; a scene of this size has too many "
+      "/dev/zero: is larger than 268435456 bytes, the most that is read; a scene of this size has too many "
       "particles for one run: use fewer");
 }
 

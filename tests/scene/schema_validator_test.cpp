@@ -122,6 +122,10 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(nearest_name("theta_revolve_degrees", keys), "theta_revolve_deg");
   EXPECT_EQ(nearest_name("u_C", keys), "u_A") << "one edit beats a part";
   EXPECT_EQ(nearest_name("", keys), "u_A");
+  EXPECT_EQ(did_you_mean("theta", keys), "; did you mean theta_revolve_deg?");
+  EXPECT_EQ(did_you_mean("c_revolv", keys), "; did you mean c_revolve?");
+  for (const char* far : {"foo", "zzz", "mass"}) EXPECT_EQ(did_you_mean(far, keys), ".") << far;
+  EXPECT_EQ(did_you_mean("x", {}), ".");
 }
 
 TEST(InputError, ListsProblemsInTheOrderOfTheFile) {

@@ -233,7 +233,7 @@ TEST(ReadState, IsStrict) {
     }
   };
   EXPECT_NE(refusal("\"state\":", "\"state\":-").find("/state: is -"), std::string::npos);
-  EXPECT_NE(refusal("\"progress_event\"", "\"progres_event\"").find("did you mean \"progress_event\"?"),
+  EXPECT_NE(refusal("\"progress_event\"", "\"progres_event\"").find("did you mean progress_event?"),
             std::string::npos);
   EXPECT_NE(refusal("\"clock\":[", "\"clock\":[\"0x1p+0\",").find("a list of 2 entries stands here"),
             std::string::npos);

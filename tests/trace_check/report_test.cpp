@@ -203,7 +203,7 @@ TEST_F(Check, BrokenLinesAreReportedAndPassedOver) {
                                      {"[1,2]", "is not an object"},
                                      {std::string("{\"k\":\"\xc3\x28\"}"), "is not JSON"},
                                      {"{\"k\":2}", "has no \"t\""},
-                                     {"{\"kk\":2}", "did you mean \"k\"?"},
+                                     {"{\"kk\":2}", "did you mean k?"},
                                      {"", "is not JSON"}}) {
     write("bad", with(line));
     const Outcome outcome = check(file("bad"));

@@ -52,8 +52,8 @@ const eval::Operation& operation_named(const std::string& name) {
   if (operation == nullptr) {
     std::vector<std::string> names = eval::operation_names();
     for (const protocol::Compound& c : protocol::compounds()) names.emplace_back(c.name);
-    throw CLI::ValidationError(fmt::format("unknown operation {}; did you mean {}? There are {}", name,
-                                           nearest_name(name, names), fmt::join(names, ", ")));
+    throw CLI::ValidationError(fmt::format("unknown operation {}{} There are {}", name,
+                                           did_you_mean(name, names), fmt::join(names, ", ")));
   }
   return *operation;
 }

@@ -44,8 +44,8 @@ class Reader {
   bool known(const std::string& key, std::size_t line, const std::string& pointer) {
     if (std::find(keys_.begin(), keys_.end(), key) != keys_.end()) return true;
     problems_.add(line, pointer,
-                  fmt::format("{} has no key {}; did you mean {}? It takes {}", name_, key,
-                              nearest_name(key, keys_), fmt::join(keys_, ", ")));
+                  fmt::format("{} has no key {}{} It takes {}", name_, key, did_you_mean(key, keys_),
+                              fmt::join(keys_, ", ")));
     return false;
   }
 

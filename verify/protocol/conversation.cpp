@@ -73,9 +73,8 @@ std::optional<Failure> malformed(const JsonValue& request, bool has_seq) {
                    R"(a request is an object: {"seq":n,"op":…,"in":{…}}, {"hello":1} or {"bye":1})"};
   for (const JsonMember& each : *request.object()) {
     if (std::find(keys.begin(), keys.end(), each.key) != keys.end()) continue;
-    return Failure{"bad_request",
-                   fmt::format("a request has no key {}; did you mean {}? It has seq, op and in", each.key,
-                               nearest_name(each.key, keys))};
+    return Failure{"bad_request", fmt::format("a request has no key {}{} It has seq, op and in", each.key,
+                                              did_you_mean(each.key, keys))};
   }
   if (!has_seq) return Failure{"bad_request", "seq must be an integer of at most 2^53"};
   const JsonValue* op = request.find("op");
@@ -91,8 +90,8 @@ Reply answered(const std::string& seq, const JsonValue& request) {
   const std::vector<std::string>& known = operation_names();
   if (std::find(known.begin(), known.end(), op) == known.end()) {
     return {fmt::format(R"({{"seq":{},"skip":"unknown_op","message":{}}})", seq,
-                        quoted(fmt::format("unknown operation {}; did you mean {}? There are {}", op,
-                                           nearest_name(op, known), fmt::join(known, ", "))))};
+                        quoted(fmt::format("unknown operation {}{} There are {}", op, did_you_mean(op, known),
+                                           fmt::join(known, ", "))))};
   }
   try {
     return {fmt::format(R"({{"seq":{},"out":{}}})", seq, answer(op, *request.find("in"), kSource, "/in"))};

@@ -126,8 +126,8 @@ void require_keys(const JsonValue& object, const std::vector<std::string>& keys,
   for (const JsonMember& each : *object.object()) {
     if (std::find(keys.begin(), keys.end(), each.key) != keys.end()) continue;
     refuse(each.value, inside(place, each.key),
-           fmt::format("there is no key {}; did you mean {}? Allowed are {}", each.key,
-                       nearest_name(each.key, keys), fmt::join(keys, ", ")));
+           fmt::format("there is no key {}{} Allowed are {}", each.key, did_you_mean(each.key, keys),
+                       fmt::join(keys, ", ")));
   }
 }
 

@@ -22,7 +22,7 @@ SceneBuilder brownian_builder() {
   using P = BrownianParams;
   return make_builder<P>(
       "brownian", "vesicles in a spherical membrane that random impulses keep moving",
-      {{"particles", &P::particles, from_to(1, 100000), "vesicles"},
+      {{"particles", &P::particles, from_to(1, 1000000), "vesicles"},
        {"density", &P::density, from_to(1e-6, 1), "vesicles over the volume of the membrane"},
        {"temperature", &P::temperature, from_to(0, 1e6), "kT of the start velocities"},
        {"tau", &P::tau, above(0), "mean waiting time of a vesicle between two impulses"},

@@ -36,7 +36,7 @@ SceneBuilder chain_builder() {
   using P = ChainParams;
   return make_builder<P>(
       "chain", "a protein: beads tethered to their neighbours, with thermal velocities",
-      {{"particles", &P::particles, from_to(2, 100000), "beads"},
+      {{"particles", &P::particles, from_to(2, 1000000), "beads"},
        {"tether-distance", &P::tether_distance, from_to(1.0001, 2), "outer limit, in bead diameters"},
        {"temperature", &P::temperature, from_to(0, 1e6), "kT of the start velocities; a bead has mass 1"},
        {"c-rebound", &P::c_rebound, from_to(0, 1), "restitution where beads collide"},

@@ -32,8 +32,8 @@ Scene build_cradle(const CradleParams& params) {
 SceneBuilder cradle_builder() {
   using P = CradleParams;
   return make_builder<P>("cradle", "Newton's cradle: touching balls in a row, struck at one end",
-                         {{"particles", &P::particles, from_to(1, 100000), "balls"},
-                          {"moving", &P::moving, from_to(0, 100000), "of them, at one end, with velocity 1"},
+                         {{"particles", &P::particles, from_to(1, 1000000), "balls"},
+                          {"moving", &P::moving, from_to(0, 1000000), "of them, at one end, with velocity 1"},
                           {"restitution", &P::restitution, from_to(0, 1), "c_rebound"},
                           {"duration", &P::duration, above(0), "time simulated"}},
                          &build_cradle);

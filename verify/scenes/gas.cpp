@@ -105,7 +105,7 @@ SceneBuilder gas_builder() {
   using P = GasParams;
   return make_builder<P>(
       "gas", "hard spheres in a spherical membrane at a given density",
-      {{"particles", &P::particles, from_to(1, 100000), "spheres"},
+      {{"particles", &P::particles, from_to(1, 1000000), "spheres"},
        {"density", &P::density, from_to(1e-6, 1),
         "spheres over the volume of the membrane; times π/6: filled part"},
        {"temperature", &P::temperature, from_to(0, 1e6), "kT of the start velocities; a sphere has mass 1"},

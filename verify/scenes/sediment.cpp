@@ -23,7 +23,7 @@ SceneBuilder sediment_builder() {
   using P = SedimentParams;
   return make_builder<P>(
       "sediment", "spheres under gravity in a spherical membrane, thermalised if asked",
-      {{"particles", &P::particles, from_to(1, 100000), "spheres"},
+      {{"particles", &P::particles, from_to(1, 1000000), "spheres"},
        {"density", &P::density, from_to(1e-6, 1), "spheres over the volume of the membrane"},
        {"temperature", &P::temperature, from_to(1e-6, 1e6), "kT of the start velocities and the thermostat"},
        {"gravity", &P::gravity, from_to(1e-6, 1e6), "acceleration along -z"},

@@ -173,7 +173,7 @@ SceneBuilder terminal_builder() {
   return make_builder<P>(
       "terminal", "the paper's Figure 1: vesicles and synapsins in a membrane form clusters and meet impacts",
       {{"vesicles", &P::vesicles, from_to(1, 10000), "vesicles"},
-       {"pairs", &P::pairs, from_to(0, 100000), "pairs of synapsins; clusters need about two a vesicle"},
+       {"pairs", &P::pairs, from_to(0, 1000000), "pairs of synapsins; clusters need about two a vesicle"},
        {"membrane-radius", &P::membrane_radius, above(0, 1e6),
         "in synapsin radii; shorter free paths, earlier clusters when smaller; placement fails above 30 % "
         "filling"},

@@ -41,7 +41,7 @@ inline constexpr Pointer kPost{&kLine, "post"};
 
 [[noreturn]] inline void unknown_key(const Pointer& at, std::string_view key,
                                      const std::vector<std::string>& known) {
-  problem(at, fmt::format("is not known here; did you mean \"{}\"?", nearest_name(key, known)));
+  problem(at, "is not known here" + did_you_mean(key, known));
 }
 
 /// Every function throws LineProblem with the pointer `at` where the value is not what it should be.

@@ -17,7 +17,7 @@ namespace tps::check {
 namespace {
 
 /// A header holds a scene, which is no longer than a scene file may be.
-constexpr std::size_t kLongestHeader = std::size_t{64} << 20U;
+constexpr std::size_t kLongestHeader = kSceneLimits.max_bytes;
 /// What a particle can take of a full state: nine numbers of 100 digits, its tethers and loads.
 constexpr std::size_t kStateOfParticle = 4096;
 
@@ -66,7 +66,7 @@ bool checksum_holds(const JsonValue& root, const TraceFileHead& head) {
 }
 
 TraceFileHead read_head(std::string_view text, const std::string& file, const std::string& scene_file) {
-  const JsonDocument document = parse_json(text, file);
+  const JsonDocument document = parse_json(text, file, kSceneLimits);
   document.problems.throw_if_any();
   const JsonValue& root = document.root;
   if (root.find("checkpoint") != nullptr)
@@ -155,7 +155,7 @@ TraceInput::TraceInput(const std::string& path, const std::string& scene_file, s
   const std::string file = path == "-" ? "standard input" : path;
   const LineReader::Result first = reader_.next();
   if (first.status == LineReader::Status::end) fail(file, 0, "is empty; a trace starts with {\"trace\":1,…}");
-  if (first.status == LineReader::Status::too_long) fail(file, 1, "is longer than 64 MiB; a header is not");
+  if (first.status == LineReader::Status::too_long) fail(file, 1, "is longer than 256 MiB; a header is not");
   if (first.status == LineReader::Status::interrupted)
     fail(file, 0, "reading was interrupted before the header");
   const std::string header(first.text);

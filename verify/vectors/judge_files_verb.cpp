@@ -105,8 +105,8 @@ std::string name_of(const Json& known) {
 std::optional<std::string> unknown_operation(const std::string& op) {
   const std::vector<std::string>& known = protocol::operation_names();
   if (std::find(known.begin(), known.end(), op) != known.end()) return std::nullopt;
-  return fmt::format("the header names operation \"{}\", which there is not; did you mean {}?",
-                     printable(op, kShownOfText), nearest_name(op, known));
+  return fmt::format("the header names operation \"{}\", which there is not{}", printable(op, kShownOfText),
+                     did_you_mean(op, known));
 }
 
 /// The first line of what somebody else wrote.
