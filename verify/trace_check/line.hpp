@@ -1,7 +1,6 @@
 // Lines of a trace as the check sees them: particles are places in the scene, numbers are exact.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -11,53 +10,10 @@
 #include <vector>
 
 #include "reference/trace/state_data.hpp"
+#include "verify/trace_check/kinds.hpp"
 #include "verify/trace_check/number.hpp"
 
 namespace tps::check {
-
-enum class Kind {
-  rebound,
-  retract,
-  revolve,
-  broken,
-  restitute,
-  wall,
-  scheduled_impulse,
-  random_impulse,
-  thermostat,
-  gravity,
-  phase_begin,
-  phase_end,
-};
-
-/// As traces call them, in the order of the enumerators.
-constexpr std::string_view kKindNames[] = {"rebound",    "retract", "revolve",           "break",
-                                           "restitute",  "wall",    "scheduled_impulse", "random_impulse",
-                                           "thermostat", "gravity", "phase_begin",       "phase_end"};
-
-constexpr std::string_view name(Kind kind) {
-  return kKindNames[static_cast<int>(kind)];
-}
-constexpr bool is_collision(Kind kind) {
-  return kind <= Kind::broken;
-}
-/// The same for sentences: "scheduled impulse".
-inline std::string words(Kind kind) {
-  std::string text(name(kind));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-/// An impulse from outside on one particle.
-constexpr bool is_kick(Kind kind) {
-  return kind >= Kind::scheduled_impulse && kind <= Kind::thermostat;
-}
-/// What comes from outside at a time that is known in advance.
-constexpr bool is_outside(Kind kind) {
-  return is_kick(kind) || kind == Kind::gravity;
-}
-constexpr bool is_phase(Kind kind) {
-  return kind >= Kind::phase_begin;
-}
 
 template <typename Number>
 struct InvolvedParticle {

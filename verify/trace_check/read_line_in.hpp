@@ -5,6 +5,7 @@
 #include <set>
 
 #include "reference/text/input_error.hpp"
+#include "verify/trace_check/event_demands.hpp"
 #include "verify/trace_check/line_values.hpp"
 #include "verify/trace_check/read_line.hpp"
 
@@ -56,11 +57,13 @@ class LineReading<Number>::Json : private LineValues<Number> {
   using Values::vector;
 
   static Kind kind_of(std::string_view text) {
-    for (int n = 0; n <= static_cast<int>(Kind::phase_end); ++n) {
-      if (name(static_cast<Kind>(n)) == text) return static_cast<Kind>(n);
+    std::vector<std::string_view> names;
+    for (const KindRow& known : kKinds) {
+      if (known.name == text) return known.kind;
+      names.push_back(known.name);
     }
     problem("kind", fmt::format("\"{}\" is not a kind of event; allowed are {}", text.substr(0, 60),
-                                fmt::join(kKindNames, ", ")));
+                                fmt::join(names, ", ")));
   }
 
   EventLine<Number> event(const dom::object& line) {
@@ -112,7 +115,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
               "has no \"s\": with \"drag\" every event has one, the clock in which paths are straight");
     if (!has_kind) problem(kLine, "has no \"kind\": every event has one");
     states(line, event);
-    demand(event);
+    EventDemands<Number>(event, minimal(), has_drag()).demand();
     return event;
   }
 
@@ -210,53 +213,6 @@ class LineReading<Number>::Json : private LineValues<Number> {
       if (key != "position" && key != "velocity") unknown_key(Pointer{&at, key}, key, keys);
     }
     if (positions > 1 || velocities > 1) problem(at, "has a key twice");
-  }
-
-  /// What an event of its kind has to have and must not have.
-  void demand(const EventLine<Number>& e) const {
-    const auto need = [](bool there, std::string_view key, Kind kind) {
-      if (!there) problem(kLine, fmt::format("lacks \"{}\", which a {} has", key, name(kind)));
-    };
-    const auto forbid = [](bool there, std::string_view key, Kind kind) {
-      if (there) problem(Pointer{&kLine, key}, fmt::format("is not for a {}", name(kind)));
-    };
-    if (!minimal()) {
-      need(e.k.has_value(), "k", e.kind);
-      need(e.dt.has_value(), has_drag() ? "ds" : "dt", e.kind);
-    }
-    need(e.phase.has_value() || !is_phase(e.kind), "phase", e.kind);
-    forbid(e.phase.has_value() && !is_phase(e.kind), "phase", e.kind);
-    need(e.dv.has_value() || e.kind != Kind::gravity || minimal(), "dv", e.kind);
-    forbid(e.dv.has_value() && e.kind != Kind::gravity, "dv", e.kind);
-    need(e.wall.has_value() || e.kind != Kind::wall, "wall", e.kind);
-    forbid(e.wall.has_value() && e.kind != Kind::wall, "wall", e.kind);
-    forbid(e.face.has_value() && e.kind != Kind::wall, "face", e.kind);
-    const bool of_nobody = is_phase(e.kind) || e.kind == Kind::gravity;
-    forbid(e.i >= 0 && of_nobody, "i", e.kind);
-    forbid(!e.involved.empty() && of_nobody, "post", e.kind);
-    if (of_nobody) return;
-    const bool alone = is_kick(e.kind) || e.kind == Kind::wall;
-    need(e.i >= 0, "i", e.kind);
-    need(e.j >= 0 || alone, "j", e.kind);
-    forbid(e.j >= 0 && alone, "j", e.kind);
-    if (!alone && e.i >= e.j) problem("i", "is not below j; a pair is named in the order of its ids");
-    need(e.of(e.i) != nullptr, "post of i", e.kind);
-    need(alone || e.of(e.j) != nullptr, "post of j", e.kind);
-    if (!minimal()) {
-      need(e.of(e.i)->position_before.has_value(), "pre", e.kind);
-      need(e.dp.has_value() || e.kind == Kind::broken, "dp", e.kind);
-      need(!e.members.empty() || !e.dp_stored, "members", e.kind);
-    }
-    forbid(e.dp.has_value() && e.kind == Kind::broken, "dp", e.kind);
-    if (e.kind == Kind::broken && e.formed.value_or(!minimal()))
-      problem("tether", "of a break is \"broken\"");
-    forbid(e.dp_stored && (e.kind == Kind::broken || e.kind >= Kind::restitute), "dp_stored", e.kind);
-    forbid(!e.members.empty() && (e.kind == Kind::broken || e.kind >= Kind::restitute), "members", e.kind);
-    forbid(e.draw && e.kind != Kind::rebound && e.kind != Kind::retract && e.kind != Kind::revolve &&
-               e.kind != Kind::broken,
-           "draw", e.kind);
-    if (e.formed && *e.formed && e.kind != Kind::rebound) problem("tether", "forms at a rebound only");
-    if (e.formed && !*e.formed && e.kind != Kind::broken) problem("tether", "breaks at a break only");
   }
 
   StateLine<Number> state(const dom::object& line, std::string_view line_text) const {

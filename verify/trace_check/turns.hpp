@@ -13,24 +13,13 @@
 
 namespace tps::check {
 
-/// Order at one time (docs/decisions.md, D13).
-constexpr int rank(Kind kind) {
-  if (kind == Kind::restitute) return 0;
-  if (is_phase(kind)) return 1;
-  if (kind == Kind::scheduled_impulse) return 2;
-  if (kind == Kind::gravity) return 3;
-  if (kind == Kind::random_impulse) return 4;
-  if (kind == Kind::thermostat) return 5;
-  return kind == Kind::wall ? 6 : 7;
-}
-
 /// What decides when something comes: its exact moment under certified timing, else its computed time; at one
 /// time its rank and its ids.
 template <typename Number>
 struct Turn {
   Instant<Number> t;             ///< computed, which is what a trace records
   std::optional<Moment> moment;  ///< under certified timing
-  int rank = 7;
+  int rank = check::rank(Kind::rebound);
   int first = -1, second = -1;  ///< particles; of a body twice its first one, of what concerns nobody −1
 };
 
