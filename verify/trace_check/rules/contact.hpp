@@ -43,8 +43,8 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
   return clock_had_passed && dt - t <= W(2.5) * c.u() * std::fabs(W(event.t.hi)) + rounding;
 }
 
-/// The residual of the time, where the pair does not graze, in units of the rounding that is to be expected:
-/// that of the time and that of the distance.
+/// The residual of the time, where the pair neither grazes nor starts at its limit, in units of the rounding
+/// that is to be expected: that of the time and that of the distance.
 template <typename Number>
 void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
                        const Quadratic<Work<Number>>& q, const Work<Number>& dt) {
@@ -62,6 +62,9 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   if (t <= W(0)) return;
   const W ulp = c.u() * t;
   const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
+  // A pair that is all but at its limit: where it meets it is rounding of places, of which an ulp of the time
+  // is no measure.
+  if (ulp * W(1024) < rounding) return;
   c.tally.residual("time", as_double(t), as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
 }
 
