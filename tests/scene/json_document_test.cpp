@@ -117,14 +117,14 @@ TEST(JsonDocument, PointersEscapeTheirKeys) {
 
 TEST(HostileText, FullOfZerosIsRefused) {
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(refusal(std::string(200 * mega, '\0')), "hostile:1: 209715200 bytes; at most 67108864 are read");
+  EXPECT_EQ(refusal(std::string(300 * mega, '\0')), "hostile:1: 314572800 bytes; at most 268435456 are read");
   EXPECT_EQ(refusal(std::string(60 * mega, '\0')), "hostile:1: the byte at offset 0 is NUL; this is no text");
   EXPECT_EQ(refusal(std::string(60 * mega, '0')),
             "hostile:1: not JSON: unexpected number literal; expected end of input (column 3)");
   EXPECT_EQ(refusal(concat({"[", repeated("0,", 60 * mega)})),
-            "hostile:1: /3999999: more than 4000000 values, the most that is read");
+            "hostile:1: /15999999: more than 16000000 values, the most that is read");
   EXPECT_EQ(refusal(concat({"[", repeated("[],", 60 * mega)})),
-            "hostile:1: /3999999: more than 4000000 values, the most that is read");
+            "hostile:1: /15999999: more than 16000000 values, the most that is read");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_LT(took.count(), 60) << "a hang, not a measurement";
 }
