@@ -15,8 +15,9 @@ struct DirectedSlack {
 
 /// Where v_n' as it should be is right by more than its rounding, nothing is moved. Else one component of the
 /// lighter body goes as far as v_n' is wrong, by √D of that at most as it is the one along which û is
-/// largest, and two numbers further; components that tie share that. `v_after` is v_AB', `stored` what its stored components may be off by;
-/// where v_n' is wrong by more than `most_wrong` no rounding made it so, and nothing may be moved.
+/// largest, and two numbers further; components that tie share that. `v_after` is v_AB', `stored` what its
+/// stored components may be off by; where v_n' is wrong by more than `most_wrong` no rounding made it so, and
+/// nothing may be moved.
 template <typename Number>
 DirectedSlack<Work<Number>> directed_slack(const Context<Number>& c, const BodiesNow<Number>& b, bool outer,
                                            const Vec<Work<Number>>& v_after, const Work<Number>& stored,
