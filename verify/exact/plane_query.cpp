@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verify/exact/double_filter.hpp"
+#include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/lifted_query.hpp"
 #include "verify/exact/plane_time.hpp"
 
@@ -66,6 +67,33 @@ Verdict plane_verdict(const TimingQuery& query, Counters& counters) {
   const LiftedPlane plane = lifted_plane(query, units_of(query));
   counters.largest_bits = std::max({counters.largest_bits, bits_of(plane.gap), bits_of(plane.w)});
   return verdict_of(sign_of(plane.gap), sign_of(plane.w));
+}
+
+TPS_WITH_FMA std::optional<RefinedTime> refined_plane_time(const TimingQuery& query) {
+  constexpr double u = unit_roundoff;
+  const std::array<DoubleWord, 3> r = exact_difference(query.u_B, query.u_A);
+  const std::array<DoubleWord, 3> v = exact_difference(query.v_B, query.v_A);
+  DoubleWord gap{-query.L, 0}, towards{0, 0};
+  double gap_size = query.L, towards_size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DoubleWord of_r = r[k] * query.normal[k];
+    const DoubleWord of_v = v[k] * -query.normal[k];
+    gap = gap + of_r;
+    towards = towards + of_v;
+    gap_size += std::fabs(of_r.hi);
+    towards_size += std::fabs(of_v.hi);
+  }
+  const bool in_range = gap_size > 0x1p-400 && gap_size < 0x1p400 && towards_size > 0x1p-400 &&
+                        towards_size < 0x1p400 && towards.hi > 0x1p-40 * towards_size;
+  if (!in_range) return std::nullopt;
+  const double t = gap.hi / towards.hi;
+  if (!(t > 0x1p-300 && t < 0x1p300)) return std::nullopt;
+  const DoubleWord residual = gap - towards * t;
+  const double correction = residual.hi / towards.hi;
+  // Products 2u², three sums 3u² each, and what follows: docs/exact.md, "Planes".
+  const double error = u * u * (16 * gap_size + 24 * towards_size * t) / towards.hi +
+                       4 * u * std::fabs(correction) + underflow_allowance;
+  return RefinedTime{t, correction, error};
 }
 
 AlgebraicTime plane_time(const TimingQuery& query, const LiftUnits& units) {

@@ -5,6 +5,7 @@
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/exact_root.hpp"
 #include "verify/exact/exact_verdict.hpp"
+#include "verify/exact/plane_query.hpp"
 #include "verify/exact/plane_time.hpp"
 #include "verify/exact/refined_root.hpp"
 
@@ -47,6 +48,14 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
   if (!occurs(known.verdict)) return {known.verdict, std::nullopt};
   ++counters.time.calls;
   if (at_once(known.verdict)) return {known.verdict, 0.0};
+  if (query.kind == Kind::plane) {
+    const std::optional<RefinedTime> refined = refined_plane_time(query);
+    const std::optional<double> rounded = refined ? refined->rounded() : std::nullopt;
+    if (rounded) return {known.verdict, rounded};
+    ++counters.time.uncertain;
+    ++counters.time.exact;
+    return {known.verdict, time_by_integers(query, known.verdict, counters)};
+  }
   const std::optional<double> fast = fast_time(query, known, counters);
   if (fast) return {known.verdict, fast};
   ++counters.time.exact;
@@ -55,7 +64,11 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
 
 TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters) {
   if (is_static(query)) return {Verdict::static_pair, std::nullopt};
-  if (query.kind == Kind::plane) return rounded_time(query, counters);
+  if (query.kind == Kind::plane) {
+    const Verdict verdict = plane_verdict(query, counters);
+    if (!occurs(verdict)) return {verdict, std::nullopt};
+    return {verdict, at_once(verdict) ? 0.0 : time_by_integers(query, verdict, counters)};
+  }
   const Verdict verdict = verdict_of(query.kind, lifted_quadratic(query, units_of(query)));
   if (!occurs(verdict)) return {verdict, std::nullopt};
   return {verdict, time_by_integers(query, verdict, counters)};
