@@ -18,6 +18,13 @@ struct ParticleChange {
   Vector<Scalar, D> position, velocity_before, velocity_after;
 };
 
+/// The spin of a particle at an event: one number in the plane, three in space.
+template <typename Scalar>
+struct SpinChange {
+  int particle;  ///< index
+  std::vector<Scalar> before, after;
+};
+
 enum class TetherChange { none, formed, broken };
 
 /// One event. `involved` starts with i and j (where there are two) and then holds the other members of the
@@ -33,6 +40,8 @@ struct Record {
       dp;  ///< Δp on i: of eq. (4) or (5), of eq. (7) at a restitution, J from outside
   std::optional<Vector<Scalar, D>> dv;  ///< of every finite mass, at an event that concerns all of them
   std::optional<Vector<Scalar, D>> dp_stored;  ///< Δp_AB of eq. (7), at a load
+  std::vector<SpinChange<Scalar>> spins;       ///< of those of i and j that keep one, where friction acted
+  std::optional<bool> sticks;                  ///< whether the surfaces held each other; where friction acted
   TetherChange tether = TetherChange::none;
   std::optional<double> draw;       ///< uniform in [0, 1): the random number that decided `tether`
   std::vector<int> members;         ///< of the group after a load, ascending; empty where nothing was loaded

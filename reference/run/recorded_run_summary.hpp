@@ -62,9 +62,18 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
   s.lost = static_cast<double>(ledger.lost.value());
   s.work = static_cast<double>(ledger.work.value());
   s.energy_remainder = static_cast<double>(remainder);
+  if (const auto* turning = dynamic_cast<const SpinCoupling<Scalar, D>*>(world().coupling.get())) {
+    const Scalar at_start = SpinCoupling<Scalar, D>(scene_).energy(world());
+    const Scalar spin = turning->energy(world());
+    s.spin_at_start = static_cast<double>(at_start);
+    s.spin = static_cast<double>(spin);
+    s.energy_remainder = static_cast<double>(Scalar(remainder + (spin - at_start)));
+    const Scalar own = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * Scalar(spin + at_start);  // 8 u
+    s.energy_bound = static_cast<double>(own);
+  }
   const BoundOfSums<Scalar> sums = bound_of_sums(world(), kinetic);
   s.momentum_bound = static_cast<double>(Scalar(ledger.momentum_bound + sums.momentum));
-  s.energy_bound = static_cast<double>(Scalar(ledger.energy_bound + sums.energy));
+  s.energy_bound += static_cast<double>(Scalar(ledger.energy_bound + sums.energy));
 }
 
 /// From the run's energies and momenta to those of the scene: times (1 − γs)², times 1 − γs. The bounds are

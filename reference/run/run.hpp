@@ -88,7 +88,8 @@ struct RunSummary {
 
   double momentum_drift = 0, momentum_bound = 0;
   double kinetic_at_start = 0, kinetic = 0, stored = 0, lost = 0, work = 0;
-  std::optional<double> drag_taken;  ///< kinetic energy that drag has taken, where there is drag
+  std::optional<double> drag_taken;           ///< kinetic energy that drag has taken, where there is drag
+  std::optional<double> spin_at_start, spin;  ///< energy of spins, where particles keep them
   double energy_remainder = 0, energy_bound = 0;
   double worst_inner_excess = 0,
          worst_outer_excess = 0;  ///< in ulps of the pair's largest coordinate, at events

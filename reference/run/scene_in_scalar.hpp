@@ -125,6 +125,10 @@ class SceneInScalar {
       judge(at + "/blocking/distance", law.blocking->distance);
       judge(at + "/blocking/c_rebound", law.blocking->c_rebound);
     }
+    if (law.friction) {
+      judge(at + "/friction/mu", law.friction->mu);
+      judge(at + "/friction/beta0", law.friction->beta0);
+    }
     if (!law.tethering) return;
     judge(at + "/tethering/distance", law.tethering->distance);
     judge(at + "/tethering/c_retract", law.tethering->c_retract);
@@ -162,6 +166,8 @@ class SceneInScalar {
           "is " + told(particle.position[k]) + ", which is infinite" + remedy());
     }
     judge_vector(at + "/velocity", particle.velocity, "the velocity");
+    for (std::size_t k = 0; k < particle.spin.size(); ++k)
+      judge(at + "/spin/" + std::to_string(k), particle.spin[k]);
   }
 
   /// Two particles with a law that fall together, or whose separation is mostly rounding: it moves by more

@@ -266,6 +266,7 @@ void check_scene(const Scene& scene, SceneSource& source) {
   if (source.sound({"drag", "gravity", "grouping", "impulses", "phases", "walls"})) check_drag(scene, source);
   if (source.sound({"grouping", "walls"})) check_walls(scene, source);
   if (source.sound({"walls"})) check_starts_at_walls(scene, source);
+  if (source.sound({"pairs", "grouping", "drag"})) check_friction(scene, source);
   if (source.sound({"impulses"})) check_impulses(scene, source);
   if (source.sound({"pairs", "tethers"})) check_tethers(scene, source);
   if (source.sound({"pairs", "particles", "tethers"})) check_starts(scene, source);

@@ -17,10 +17,14 @@ namespace tps {
 /// of
 ///   finite mass, within the capacities;
 /// - drag: nothing that happens at times of its own, and infinite masses at rest (docs/effects.md);
+/// - friction: at the sum of radii, without grouping and drag, spins where it can turn (docs/effects.md);
 /// - the starts of the particles: see check_starts.hpp.
 void check_scene(const Scene& scene, SceneSource& source);
 
 /// The part of it about drag. REQUIRES species, particles, impulses and phases read.
 void check_drag(const Scene& scene, SceneSource& source);
+
+/// The part of it about friction and spins. REQUIRES species, pairs and particles read.
+void check_friction(const Scene& scene, SceneSource& source);
 
 }  // namespace tps

@@ -2,8 +2,10 @@
 // file stores; an engine of another scalar lifts them exactly or rounds them once.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,12 +78,20 @@ struct TetheringLaw {
   bool operator==(const TetheringLaw&) const = default;
 };
 
+/// Friction of rough particles at their rebounds (Walton): μ in [0, ∞), β₀ in [−1, 1].
+struct FrictionLaw {
+  double mu = 0;
+  double beta0 = -1;
+  bool operator==(const FrictionLaw&) const = default;
+};
+
 /// How two species interact; species are indices into Scene::species, species_a <= species_b.
 struct PairLaw {
   int species_a = 0;
   int species_b = 0;
   std::optional<BlockingLaw> blocking;
   std::optional<TetheringLaw> tethering;
+  std::optional<FrictionLaw> friction = {};
   bool operator==(const PairLaw&) const = default;
 };
 
@@ -144,6 +154,7 @@ struct Particle {
   int species = 0;
   Coordinates position{};
   Coordinates velocity{};
+  Coordinates spin = {};  ///< angular velocity; in the plane its first number
   bool operator==(const Particle&) const = default;
 };
 
@@ -182,5 +193,14 @@ struct Scene {
   std::optional<ClusterObservation> clusters;
   bool operator==(const Scene&) const = default;
 };
+
+/// Whether particles of a species have a spin: those of finite mass that some pair's friction can turn.
+inline bool keeps_spin(const Scene& scene, int species) {
+  if (scene.species[static_cast<std::size_t>(species)].mass == std::numeric_limits<double>::infinity())
+    return false;
+  return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairLaw& law) {
+    return law.friction && (law.species_a == species || law.species_b == species);
+  });
+}
 
 }  // namespace tps

@@ -176,6 +176,8 @@ class Sections {
       outer.distance = number_or(*tethering, "distance", std::fabs(r_a - r_b));
       law.tethering = outer;
     }
+    if (const JsonValue* friction = entry.find("friction"))
+      law.friction = FrictionLaw{number(*friction, "mu"), number(*friction, "beta0")};
     return law;
   }
 
@@ -219,6 +221,17 @@ class Sections {
     return vector;
   }
 
+  Coordinates read_spin(const JsonValue& value, const std::string& pointer) {
+    const JsonValue::Array& list = *value.array();
+    const std::size_t size = scene_.dimension == 2 ? 1 : 3;
+    Coordinates spin{};
+    if (list.size() != size)
+      source_.report(pointer, fmt::format("found {} numbers; allowed: {} in {} dimensions", list.size(), size,
+                                          scene_.dimension));
+    for (std::size_t k = 0; k < std::min(size, list.size()); ++k) spin[k] = json_number(list[k]).value();
+    return spin;
+  }
+
   void read_particles() {
     const JsonValue::Array& list = entries(root_, "particles");
     std::vector<Particle> unsorted;
@@ -241,6 +254,7 @@ class Sections {
       particle.position = read_vector(*list[k].find("position"), pointer + "/position");
       const JsonValue* velocity = list[k].find("velocity");
       if (velocity != nullptr) particle.velocity = read_vector(*velocity, pointer + "/velocity");
+      if (const JsonValue* spin = list[k].find("spin")) particle.spin = read_spin(*spin, pointer + "/spin");
       unsorted.push_back(particle);
     }
     source_.particle_entries.resize(unsorted.size());

@@ -160,6 +160,9 @@ class Writer {
       members.emplace_back("blocking", object({{"distance", text(law.blocking->distance)},
                                                {"c_rebound", text(law.blocking->c_rebound)}}));
     }
+    if (law.friction)
+      members.emplace_back("friction",
+                           object({{"mu", text(law.friction->mu)}, {"beta0", text(law.friction->beta0)}}));
     if (law.tethering) {
       members.emplace_back("tethering", object({{"distance", text(law.tethering->distance)},
                                                 {"c_retract", text(law.tethering->c_retract)},
@@ -203,10 +206,16 @@ class Writer {
         {{"at", text(impulse.at)}, {"particle", id(impulse.particle)}, {"impulse", vector(impulse.impulse)}});
   }
   std::string entry(const Particle& particle) const {
-    return object({{"id", text(particle.id)},
-                   {"species", text(name(particle.species))},
-                   {"position", vector(particle.position)},
-                   {"velocity", vector(particle.velocity)}});
+    Members members{{"id", text(particle.id)},
+                    {"species", text(name(particle.species))},
+                    {"position", vector(particle.position)},
+                    {"velocity", vector(particle.velocity)}};
+    if (particle.spin != Coordinates{}) members.emplace_back("spin", spin(particle.spin));
+    return object(members);
+  }
+  std::string spin(const Coordinates& spin) const {
+    if (scene_.dimension == 2) return fmt::format("[{}]", text(spin[0]));
+    return vector(spin);
   }
   std::string entry(const Tether& tether) const {
     return fmt::format("[{}{}{}]", id(tether.i), comma_, id(tether.j));

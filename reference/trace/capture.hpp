@@ -9,6 +9,7 @@
 
 #include "reference/engine/group_coupling.hpp"
 #include "reference/engine/simulation.hpp"
+#include "reference/engine/spin_coupling.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/trace/check_state.hpp"
 #include "reference/trace/state_data.hpp"
@@ -186,6 +187,8 @@ StateData capture(const Simulation<Scalar, D>& simulation) {
   using namespace detail;
   const World<Scalar, D>& world = simulation.world();
   const auto id = [&](int i) { return world.scene.particles[world.index(i)].id; };
+  constexpr int kSpin = SpinCoupling<Scalar, D>::kSize;
+  const auto* turning = dynamic_cast<const SpinCoupling<Scalar, D>*>(world.coupling.get());
   StateData state;
   state.k = world.events;
   state.now = time_data(world.now);
@@ -194,6 +197,8 @@ StateData capture(const Simulation<Scalar, D>& simulation) {
   for (int i = 0; i < world.size(); ++i) {
     const ParticleState<Scalar, D>& p = world.particles[world.index(i)];
     state.particles.push_back({id(i), vector_data(p.position), vector_data(p.velocity), time_data(p.clock)});
+    if (turning != nullptr && keeps_spin(world.scene, world.species(i)))
+      state.particles.back().spin = vector_data<Scalar, kSpin>(turning->spin(i));
     for (const int j : world.tethers.of(i)) {
       if (i < j) state.tethers.push_back({id(i), id(j)});
     }
@@ -243,9 +248,12 @@ void restore(Simulation<Scalar, D>& simulation, const StateData& state) {
   world.events = state.k;
   world.now = time_from<Scalar>(state.now);
   world.last_event = time_from<Scalar>(state.last_event);
+  auto* turning = dynamic_cast<SpinCoupling<Scalar, D>*>(world.coupling.get());
   for (const StateData::Particle& p : state.particles) {
     world.particles[world.index(index_of.at(p.id))] = {
         vector_from<Scalar, D>(p.position), vector_from<Scalar, D>(p.velocity), time_from<Scalar>(p.clock)};
+    if (turning != nullptr && !p.spin.empty())
+      turning->set_spin(index_of.at(p.id), vector_from<Scalar, SpinCoupling<Scalar, D>::kSize>(p.spin));
   }
   world.tethers = Tethers(world.particles.size());
   for (const auto& [first, second] : state.tethers)

@@ -94,6 +94,11 @@ class StateCheck {
       check_dimension(p.position, pointer + "/position");
       check_dimension(p.velocity, pointer + "/velocity");
       check_time(p.clock, pointer + "/clock");
+      const bool turns =
+          keeps_spin(scene_, scene_.particles[static_cast<std::size_t>(index_of_.at(p.id))].species);
+      const std::size_t spin = turns ? (scene_.dimension == 2 ? 1U : 3U) : 0U;
+      demand(p.spin.size() == spin, pointer + "/spin",
+             fmt::format("has {} components; {} are needed", p.spin.size(), spin));
     }
   }
   void check_dimension(const HexVector& x, const std::string& pointer) {

@@ -49,6 +49,16 @@ void append_vector(std::string& line, const Vector<Scalar, D>& v) {
   line.append("\"]");
 }
 
+template <typename Scalar>
+void append_spin(std::string& line, const std::vector<Scalar>& spin) {
+  const char* separator = ",\"spin\":[\"";
+  for (const Scalar& x : spin) {
+    line.append(separator).append(to_hex(x));
+    separator = "\",\"";
+  }
+  line.append("\"]");
+}
+
 /// {"0":{"position":[…],"velocity":[…]},…}, velocities before or after the event.
 template <typename Scalar, int D>
 void append_states(std::string& line, const Scene& scene, const Record<Scalar, D>& record, bool after_event) {
@@ -60,6 +70,9 @@ void append_states(std::string& line, const Scene& scene, const Record<Scalar, D
     append_vector<Scalar, D>(line, change.position);
     line.append(",\"velocity\":");
     append_vector<Scalar, D>(line, after_event ? change.velocity_after : change.velocity_before);
+    for (const SpinChange<Scalar>& spin : record.spins) {
+      if (spin.particle == change.particle) append_spin(line, after_event ? spin.after : spin.before);
+    }
     line.push_back('}');
     separator = ',';
   }
@@ -103,6 +116,7 @@ std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
     line.append(",\"dp_stored\":");
     detail::append_vector<Scalar, D>(line, *record.dp_stored);
   }
+  if (record.sticks) line.append(*record.sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
   if (record.tether != TetherChange::none) {
     line.append(",\"tether\":\"")
         .append(record.tether == TetherChange::formed ? "formed" : "broken")

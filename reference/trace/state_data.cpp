@@ -61,6 +61,7 @@ void append_particles(std::string& text, const std::vector<StateData::Particle>&
     text.append("{\"id\":").append(std::to_string(p.id));
     append_numbers(text, "position", p.position);
     append_numbers(text, "velocity", p.velocity);
+    if (!p.spin.empty()) append_numbers(text, "spin", p.spin);
     append_numbers(text, "clock", p.clock);
     text.append("},");
   }
@@ -143,9 +144,15 @@ bool limit_from(const Field& value) {
 }
 
 StateData::Particle particle_from(const Field& value) {
-  value.require_keys({"id", "position", "velocity", "clock"});
-  return {id_from(value.at("id")), vector_from(value.at("position")), vector_from(value.at("velocity")),
-          time_from(value.at("clock"))};
+  value.require_keys({"id", "position", "velocity", "clock"}, {"spin"});
+  StateData::Particle particle{id_from(value.at("id")), vector_from(value.at("position")),
+                               vector_from(value.at("velocity")), time_from(value.at("clock"))};
+  if (value.has("spin")) {
+    const Field spin = value.at("spin");
+    const std::size_t size = spin.json().array() == nullptr ? 0 : spin.json().array()->size();
+    particle.spin = numbers_from(spin.list_of(size == 1 ? 1 : 3), false);
+  }
+  return particle;
 }
 
 StateData::Responded responded_from(const Field& value) {

@@ -23,6 +23,7 @@ struct StateData {
     std::int32_t id = 0;
     HexVector position, velocity;
     HexTime clock;
+    HexVector spin = {};  ///< of those that keep one
   };
   struct Responded {
     std::int32_t first = 0, second = 0;

@@ -59,6 +59,10 @@ std::string summary_json(const RunSummary& s) {
               {"noise", s.noise},
               {"first_noise", s.first_noise},
               {"zero_impulse", s.zero_impulse}};
+  if (s.spin) {
+    result["energy"]["spin_at_start"] = *s.spin_at_start;
+    result["energy"]["spin"] = *s.spin;
+  }
   if (s.drag_taken) result["energy"]["taken_by_drag"] = *s.drag_taken;
   if (s.certified) {
     result["certified"] = {{"verdict", stages_json(s.certified->verdict)},

@@ -24,6 +24,7 @@ void write_conservation(Text out, const RunSummary& s) {
   fmt::format_to(
       out, "energy     kinetic {:.6g} -> {:.6g}, lost {:.6g}, stored {:.6g}, work from outside {:.6g}\n",
       s.kinetic_at_start, s.kinetic, s.lost, s.stored, s.work);
+  if (s.spin) fmt::format_to(out, "           of spins {:.6g} -> {:.6g}\n", *s.spin_at_start, *s.spin);
   if (s.drag_taken) fmt::format_to(out, "           taken by drag {:.6g}\n", *s.drag_taken);
   fmt::format_to(out, "           remainder {:.2e}, {} its bound {:.2e}\n", s.energy_remainder,
                  verdict(std::abs(s.energy_remainder), s.energy_bound), s.energy_bound);

@@ -9,8 +9,10 @@
 #include "verify/scenes/cradle.hpp"
 #include "verify/scenes/galperin.hpp"
 #include "verify/scenes/gas.hpp"
+#include "verify/scenes/granular.hpp"
 #include "verify/scenes/pair.hpp"
 #include "verify/scenes/ring.hpp"
+#include "verify/scenes/rough.hpp"
 #include "verify/scenes/sediment.hpp"
 #include "verify/scenes/sheet.hpp"
 #include "verify/scenes/terminal.hpp"
@@ -21,9 +23,9 @@ namespace tps {
 
 const std::vector<SceneBuilder>& scene_builders() {
   static const std::vector<SceneBuilder> builders{
-      terminal_builder(),    chain_builder(), sheet_builder(),    three_body_builder(),
-      galperin_builder(),    gas_builder(),   pair_builder(),     cradle_builder(),
-      two_anchors_builder(), ring_builder(),  brownian_builder(), sediment_builder(),
+      terminal_builder(), chain_builder(),    sheet_builder(),    three_body_builder(),  galperin_builder(),
+      gas_builder(),      pair_builder(),     cradle_builder(),   two_anchors_builder(), ring_builder(),
+      brownian_builder(), sediment_builder(), granular_builder(), rough_builder(),
   };
   return builders;
 }

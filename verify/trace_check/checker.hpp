@@ -11,6 +11,7 @@
 #include "verify/trace_check/rules/drag.hpp"
 #include "verify/trace_check/rules/earliest.hpp"
 #include "verify/trace_check/rules/flight.hpp"
+#include "verify/trace_check/rules/friction.hpp"
 #include "verify/trace_check/rules/groups.hpp"
 #include "verify/trace_check/rules/order.hpp"
 #include "verify/trace_check/rules/progress.hpp"

@@ -105,6 +105,9 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     for (const InvolvedParticle<Number>& p : event.involved)
       begin_flight(event, p.particle, p.velocity_after);
   }
+  for (const InvolvedParticle<Number>& p : event.involved) {
+    if (!model_.spins.empty() && p.spin_after) model_.spins[Model<Number>::at(p.particle)] = *p.spin_after;
+  }
   if (event.formed && *event.formed) {
     model_.tethers[static_cast<std::size_t>(event.i)].insert(event.j);
     model_.tethers[static_cast<std::size_t>(event.j)].insert(event.i);

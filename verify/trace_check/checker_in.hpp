@@ -164,6 +164,8 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
   judge_free_velocities(c, event, *bodies_, expected_);
   if (event.kind != Kind::broken) judge_direction(c, event, event.kind != Kind::rebound);
   if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_);
+  if (event.kind == Kind::rebound && model_.rules.of(event.i, event.j).rubs)
+    judge_friction(c, event, *bodies_, expected_, rough_now(c, *bodies_));
 }
 
 template <typename Number>
@@ -179,6 +181,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   take_turn(event);
   judge_flight(c, event);
   judge_bystanders(c, event);
+  judge_spins_listed(c, event);
   bodies_.reset();
   expected_ = {};
   if (event.j >= 0) bodies_ = bodies_now(model_, event, c.time_error(event.t));

@@ -20,6 +20,7 @@ struct InvolvedParticle {
   int particle;  ///< index into the scene
   std::optional<Vec<Number>> position_before, velocity_before, position_after;
   Vec<Number> velocity_after;
+  std::optional<Vec<Number>> spin_before = {}, spin_after = {};  ///< in the plane along z
 };
 
 template <typename Number>
@@ -35,6 +36,7 @@ struct EventLine {
   std::optional<int> wall, face;  ///< which a particle met
   std::vector<InvolvedParticle<Number>> involved;
   std::optional<Vec<Number>> dp, dp_stored, dv;
+  std::optional<bool> sticks;  ///< where friction acted
   std::optional<bool> formed;  ///< true: a tether formed, false: it broke
   std::optional<double> draw;
   std::vector<int> members;

@@ -132,6 +132,20 @@ class LineValues {
     return result;
   }
 
+  /// One number in the plane, which is along z; three in space.
+  Vec<Number> spin(dom::element value, const Pointer& at) const {
+    dom::array components;
+    const std::size_t size = scene_.dimension == 2 ? 1 : 3;
+    if (value.get(components) != simdjson::SUCCESS || components.size() != size) {
+      problem(at,
+              fmt::format("is not a list of {} numbers, a spin in {} dimensions", size, scene_.dimension));
+    }
+    Vec<Number> result;
+    std::size_t n = size == 1 ? 2 : 0;
+    for (const dom::element component : components) result[n++] = number(component, at);
+    return result;
+  }
+
   int particle(std::int64_t id, const Pointer& at) const {
     const auto found =
         id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));

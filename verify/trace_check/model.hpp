@@ -60,6 +60,7 @@ class Model {
   std::vector<Flight<Number>> flights;
   std::vector<W> inverse_masses;               ///< 0 for an infinite mass
   const std::vector<WallModel<Number>> walls;  ///< surfaces, by their place in surfaces(scene)
+  std::vector<Vec<Number>> spins;              ///< of all, where some pair has friction; in the plane along z
   std::vector<std::set<int>> tethers;          ///< formed or listed, by particle
   GroupModel<Number> groups;
   std::vector<PhaseChange> phase_changes;  ///< in their order
@@ -82,6 +83,12 @@ class Model {
     } else {
       return rough_flights_[at(i)];
     }
+  }
+  bool keeps_spin(int i) const {
+    return !spins.empty() && tps::keeps_spin(scene, scene.particles[at(i)].species);
+  }
+  Number radius(int i) const {
+    return stored<Number>(scene.species[at(scene.particles[at(i)].species)].radius, precision);
   }
   bool tethered(int i, int j) const {
     const PairRules<Number>& pair = rules.of(i, j);
@@ -193,6 +200,11 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
     if constexpr (!std::is_same_v<Number, double>) rough_flights_.push_back(rough(flights.back()));
     const double mass = scene.species[at(p.species)].mass;
     inverse_masses.push_back(std::isinf(mass) ? W(0) : W(1) / W(stored<Number>(mass, precision)));
+  }
+  const auto has_friction = [](const PairLaw& law) { return law.friction.has_value(); };
+  if (std::any_of(scene.pairs.begin(), scene.pairs.end(), has_friction)) {
+    for (const Particle& p : scene.particles)
+      spins.push_back(lifted(scene.dimension == 2 ? Coordinates{0, 0, p.spin[0]} : p.spin));
   }
   for (const Tether& tether : scene.tethers) {
     tethers[at(tether.i)].insert(tether.j);

@@ -33,6 +33,8 @@ template <typename Number>
 struct PairRules {
   bool blocks = false;
   Number inner{0}, c_rebound{0};
+  bool rubs = false;  ///< friction at the inner limit
+  Number mu{0}, beta0{0};
   bool can_tether = false, permanent = false;
   Number outer{0}, c_retract{0}, c_revolve{0}, theta_deg{0};
   Work<Number> tan_theta{0};
@@ -53,6 +55,11 @@ class RuleTable {
         rules.blocks = true;
         rules.inner = stored<Number>(law.blocking->distance, precision);
         rules.c_rebound = stored<Number>(law.blocking->c_rebound, precision);
+      }
+      if (law.friction) {
+        rules.rubs = true;
+        rules.mu = stored<Number>(law.friction->mu, precision);
+        rules.beta0 = stored<Number>(law.friction->beta0, precision);
       }
       if (law.tethering) add_tethering(rules, *law.tethering, precision);
       at(law.species_a, law.species_b) = rules;

@@ -14,7 +14,7 @@ namespace tps::check {
 inline const std::vector<std::string>& event_keys() {
   static const std::vector<std::string> keys = {
       "k",         "t",  "dt",     "kind", "i",       "j", "phase", "pre",  "post", "dp",
-      "dp_stored", "dv", "tether", "draw", "members", "s", "ds",    "wall", "face"};
+      "dp_stored", "dv", "tether", "draw", "members", "s", "ds",    "wall", "face", "contact"};
   return keys;
 }
 
@@ -52,6 +52,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
   using Values::number;
   using Values::particle;
   using Values::particle_named;
+  using Values::spin;
   using Values::text;
   using Values::time;
   using Values::vector;
@@ -105,6 +106,7 @@ class LineReading<Number>::Json : private LineValues<Number> {
       if (key == "dp") event.dp = vector(value, at);
       if (key == "dv") event.dv = vector(value, at);
       if (key == "dp_stored") event.dp_stored = vector(value, at);
+      if (key == "contact") event.sticks = sticks(text(value, at));
       if (key == "tether") event.formed = formed(text(value, at));
       if (key == "draw") event.draw = draw(value, at);
       if (key == "members") event.members = members(value, at);
@@ -127,6 +129,11 @@ class LineReading<Number>::Json : private LineValues<Number> {
   static bool formed(std::string_view text) {
     if (text != "formed" && text != "broken") problem("tether", "is neither \"formed\" nor \"broken\"");
     return text == "formed";
+  }
+
+  static bool sticks(std::string_view text) {
+    if (text != "sticks" && text != "slides") problem("contact", "is neither \"sticks\" nor \"slides\"");
+    return text == "sticks";
   }
 
   double draw(dom::element value, const Pointer& at) const {
@@ -174,6 +181,8 @@ class LineReading<Number>::Json : private LineValues<Number> {
         } else if (!minimal()) {
           problem(at, "has no \"position\"");
         }
+        if (value["spin"].get(velocity) == simdjson::SUCCESS)
+          p.spin_after = spin(velocity, Pointer{&at, "spin"});
         event.involved.push_back(std::move(p));
       }
     }
@@ -192,6 +201,9 @@ class LineReading<Number>::Json : private LineValues<Number> {
       check_keys(value, at);
       if (value["velocity"].get(velocity) == simdjson::SUCCESS)
         p->velocity_before = vector(velocity, Pointer{&at, "velocity"});
+      dom::element turning;
+      if (value["spin"].get(turning) == simdjson::SUCCESS)
+        p->spin_before = spin(turning, Pointer{&at, "spin"});
       if (value["position"].get(position) == simdjson::SUCCESS)
         p->position_before = vector(position, Pointer{&at, "position"});
       if (!minimal() && (!p->velocity_before || !p->position_before))
@@ -203,16 +215,17 @@ class LineReading<Number>::Json : private LineValues<Number> {
   }
 
   static void check_keys(dom::element value, const Pointer& at) {
-    static const std::vector<std::string> keys = {"position", "velocity"};
+    static const std::vector<std::string> keys = {"position", "velocity", "spin"};
     dom::object object;
     if (value.get(object) != simdjson::SUCCESS) problem(at, "is not an object");
-    int positions = 0, velocities = 0;
+    int positions = 0, velocities = 0, spins = 0;
     for (const auto [key, ignored] : object) {
       positions += key == "position" ? 1 : 0;
       velocities += key == "velocity" ? 1 : 0;
-      if (key != "position" && key != "velocity") unknown_key(Pointer{&at, key}, key, keys);
+      spins += key == "spin" ? 1 : 0;
+      if (key != "position" && key != "velocity" && key != "spin") unknown_key(Pointer{&at, key}, key, keys);
     }
-    if (positions > 1 || velocities > 1) problem(at, "has a key twice");
+    if (positions > 1 || velocities > 1 || spins > 1) problem(at, "has a key twice");
   }
 
   StateLine<Number> state(const dom::object& line, std::string_view line_text) const {

@@ -5,6 +5,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/replay.hpp"
 #include "verify/trace_check/responses.hpp"
+#include "verify/trace_check/rough.hpp"
 #include "verify/trace_check/rules/directed.hpp"
 #include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/readings.hpp"
@@ -19,6 +20,7 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
   const PairRules<Number>& rules = c.model.rules.of(b.i, b.j);
   const int dimension = c.model.scene.dimension;
   f.equation = expected.equation;
+  if (event.kind == Kind::rebound && rules.rubs) return;  // no operation has spins
   const auto place = [&](int n) {
     const auto* p = event.of(n);
     return p->position_before ? widened<Work<Number>>(*p->position_before) : c.model.position(n, event.t);
@@ -66,6 +68,18 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   });
 }
 
+/// What friction does at a rebound, by the spins before it.
+template <typename Number>
+Rough<Work<Number>> rough_now(const Context<Number>& c, const BodiesNow<Number>& b) {
+  using W = Work<Number>;
+  const auto surface = [&](int n) {
+    return W(c.model.radius(n)) * widened<W>(c.model.spins[Model<Number>::at(n)]);
+  };
+  const Vec<W> of_i = surface(b.i), of_j = surface(b.j);
+  return rough_of(b, c.model.rules.of(b.i, b.j), of_i + of_j, W(length(of_i) + length(of_j)),
+                  c.model.scene.dimension, c.u());
+}
+
 /// The impulse that a collision calls for, by its kind.
 template <typename Number>
 Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Number>& event,
@@ -73,6 +87,11 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
   using W = Work<Number>;
   const PairRules<Number>& rules = c.model.rules.of(b.i, b.j);
   constexpr double roundings = kRoundingsOfImpulse;
+  if (event.kind == Kind::rebound && rules.rubs) {
+    Expected<W> expected{by_eq4(b, rules.c_rebound, false, c.u()), roundings, "(4) with friction"};
+    add_friction(expected.response, b, rough_now(c, b));
+    return expected;
+  }
   if (event.kind == Kind::rebound) return {by_eq4(b, rules.c_rebound, false, c.u()), roundings, "(4)"};
   const bool suffices = W(rules.c_retract) * b.v_n() > rules.tan_theta * length(b.across());
   const bool revolves = event.kind == Kind::revolve || (event.kind == Kind::broken && !suffices);

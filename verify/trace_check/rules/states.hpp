@@ -126,6 +126,12 @@ class StateJudge {
                          shown(position, model_.scene.dimension),
                          shown(flight.position, model_.scene.dimension)),
              {p.id});
+      if (model_.keeps_spin(index(p.id))) {
+        Vec<Number> spin;
+        for (std::size_t k = 0; k < p.spin.size(); ++k) spin[p.spin.size() == 1 ? 2 : k] = number(p.spin[k]);
+        expect(spin == model_.spins[static_cast<std::size_t>(index(p.id))],
+               fmt::format("particle {} has a spin that it did not leave its last event with", p.id), {p.id});
+      }
       expect(same(instant(p.clock), flight.since),
              fmt::format("the clock of particle {} is not its last event's", p.id), {p.id});
     }

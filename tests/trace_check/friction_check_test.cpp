@@ -1,0 +1,163 @@
+// The check and friction: honest runs conform in every scalar and timing; a spin, an impulse or a contact
+// that is not what μ and β₀ make of it is told by its rule.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "reference/text/hexfloat.hpp"
+#include "tests/run/traced_run.hpp"
+#include "verify/certified/exact_timing.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps {
+namespace friction_check {
+namespace {
+
+using nlohmann::json;
+using testing::add_particle;
+
+Scene busy(unsigned seed) {
+  Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
+  scene.duration = 20;
+  const int big = testing::add_species(scene, "big", 5, .75);
+  const int post = testing::add_species(scene, "post", std::numeric_limits<double>::infinity(), .5);
+  const int wall = testing::add_species(scene, "wall", std::numeric_limits<double>::infinity(), 4);
+  testing::block(scene, 0, 0, .9).friction = FrictionLaw{.1 * seed, .3};
+  testing::block(scene, 0, big, 1).friction = FrictionLaw{2, -.5};
+  testing::block(scene, 0, post, .8).friction = FrictionLaw{.5, 1};
+  testing::block(scene, big, big, 1);
+  for (const int ball : {0, big}) testing::tether(scene, ball, wall, 3, 1, FormRule::When::permanent);
+  add_particle(scene, wall, {});
+  add_particle(scene, post, {.1, 0, 0});
+  for (int n = 0; n < 4; ++n) {
+    const int i = add_particle(scene, 0, {-2 + 1.4 * n, 1.5, 0}, {1. - .4 * n, -.6 + .01 * seed, 0});
+    scene.particles[static_cast<std::size_t>(i)].spin = {.5 * n, seed % 2 == 0 ? 0. : .3, 0};
+  }
+  add_particle(scene, big, {-1.2, -1.5, 0}, {.3, .4, 0});
+  add_particle(scene, big, {1.2, -1.5, 0}, {-.2, .5, 0});
+  return scene;
+}
+
+check::CheckReport checked(const std::string& bytes) {
+  const std::string path = testing::scratch("friction.ndjson");
+  testing::write_bytes(path, bytes);
+  const check::CheckReport report = check::check_trace(path, {});
+  std::filesystem::remove(path);
+  return report;
+}
+
+std::string first_finding(const check::CheckReport& report) {
+  return report.findings.empty() ? "" : report.findings.front().message;
+}
+
+std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
+  std::uint64_t count = 0;
+  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
+  return count;
+}
+
+TEST(Friction, HonestRunsConform) {
+  std::uint64_t sticks = 0, slides = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    for (const std::string& scalar : scalar_names()) {
+      for (const Timing timing : {Timing::stable, Timing::certified}) {
+        RunOptions options = testing::options_for(scalar);
+        if (!can_be_timed(options.scalar, timing) || (seed > 2 && scalar != "double")) continue;
+        certified::ExactTiming certifier;
+        options.timing = timing;
+        options.certifier = &certifier;
+        const testing::TracedRun run = testing::traced(busy(seed), options);
+        for (const std::string& line : run.lines) {
+          sticks += line.find("\"sticks\"") != std::string::npos ? 1 : 0;
+          slides += line.find("\"slides\"") != std::string::npos ? 1 : 0;
+        }
+        const check::CheckReport report = checked(run.bytes);
+        ASSERT_TRUE(report.conforming()) << seed << ' ' << scalar << ": " << first_finding(report);
+        ASSERT_EQ(report.undecided(), 0U) << seed << ' ' << scalar << ": " << first_finding(report);
+      }
+    }
+  }
+  EXPECT_GE(sticks, 100U);
+  EXPECT_GE(slides, 100U);
+}
+
+/// A trace with line `which` of those where friction acted changed.
+template <typename Edit>
+std::string with(const testing::TracedRun& run, const char* key, int which, Edit edit) {
+  std::string bytes;
+  int seen = 0;
+  for (const std::string& line : run.lines) {
+    json event = json::parse(line);
+    if (event.contains(key) && seen++ == which) {
+      edit(event);
+      bytes += event.dump() + "\n";
+    } else {
+      bytes += line + "\n";
+    }
+  }
+  return bytes;
+}
+
+void add(json& hex, double by) {
+  hex = to_hex(std::strtod(hex.get<std::string>().c_str(), nullptr) + by);
+}
+
+TEST(Friction, LiesAreTold) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const testing::TracedRun run = testing::traced(busy(seed));
+    for (const int which : {0, 4, 9}) {
+      const auto first_with_spin = [](json& side) -> json& {
+        for (auto& [id, particle] : side.items())
+          if (particle.contains("spin")) return particle["spin"];
+        return side;
+      };
+      const auto faster = [&](json& event) { add(first_with_spin(event["post"])[0], 1e-11); };
+      EXPECT_GT(violated(checked(with(run, "contact", which, faster)), check::Rule::impulse), 0U) << seed;
+      const auto jumped = [&](json& event) { add(first_with_spin(event["pre"])[0], 1e-11); };
+      EXPECT_GT(violated(checked(with(run, "contact", which, jumped)), check::Rule::bystanders), 0U) << seed;
+      const auto pushed = [](json& event) { add(event["dp"][1], 1e-11); };
+      EXPECT_GT(violated(checked(with(run, "contact", which, pushed)), check::Rule::impulse), 0U) << seed;
+      const auto other = [](json& event) {
+        event["contact"] = event["contact"] == "sticks" ? "slides" : "sticks";
+      };
+      EXPECT_EQ(violated(checked(with(run, "contact", which, other)), check::Rule::impulse), 1U) << seed;
+      const auto silent = [](json& event) {
+        for (const char* side : {"pre", "post"})
+          for (auto& [id, particle] : event[side].items()) particle.erase("spin");
+      };
+      EXPECT_GT(violated(checked(with(run, "contact", which, silent)), check::Rule::schema), 0U) << seed;
+      // All spins that friction makes are turned the other way: the balance tells, beside the law.
+      const auto reversed = [](json& event) {
+        for (auto& [id, particle] : event["post"].items())
+          if (particle.contains("spin"))
+            for (auto& x : particle["spin"])
+              x = to_hex(-std::strtod(x.get<std::string>().c_str(), nullptr) + .125);
+      };
+      EXPECT_GT(violated(checked(with(run, "contact", which, reversed)), check::Rule::impulse), 0U) << seed;
+    }
+    const auto of_state = [](json& event) {
+      event.erase("checksum");
+      for (auto& particle : event["particles"])
+        if (particle.contains("spin")) return add(particle["spin"][0], 1e-9);
+    };
+    EXPECT_GT(violated(checked(with(run, "state", 1, of_state)), check::Rule::states), 0U) << seed;
+  }
+}
+
+// Spins where nothing turns them, and friction of another pair.
+TEST(Friction, NothingTurnsWithoutIt) {
+  const testing::TracedRun run = testing::traced(busy(2));
+  const auto turned = [](json& event) {
+    for (const char* side : {"pre", "post"})
+      for (auto& [id, particle] : event[side].items()) particle["spin"] = json::array({"0x1p+0"});
+  };
+  EXPECT_GT(violated(checked(with(run, "tether", 0, turned)), check::Rule::bystanders) +
+                violated(checked(with(run, "kind", 1, turned)), check::Rule::bystanders),
+            0U);
+}
+
+}  // namespace
+}  // namespace friction_check
+}  // namespace tps

@@ -1,0 +1,41 @@
+#include "verify/scenes/rough.hpp"
+
+#include "verify/scenes/gas.hpp"
+
+namespace tps {
+
+Scene build_rough(const RoughParams& params) {
+  GasParams gas;
+  gas.particles = params.particles;
+  gas.density = params.density;
+  gas.temperature = params.temperature;
+  gas.restitution = params.restitution;
+  gas.duration = params.duration;
+  gas.seed = params.seed;
+  Scene scene = build_gas(gas);
+  scene.title = "Rough spheres in a spherical membrane";
+  for (PairLaw& law : scene.pairs) {
+    if (law.blocking) law.friction = FrictionLaw{params.mu, params.beta0};
+  }
+  for (Particle& p : scene.particles) {
+    if (p.species == 1 && p.id % 2 == 0) p.spin = {0, 0, p.id % 4 == 0 ? 1. : -1.};
+  }
+  return scene;
+}
+
+SceneBuilder rough_builder() {
+  using P = RoughParams;
+  return make_builder<P>(
+      "rough", "rough spheres that turn each other in a spherical membrane",
+      {{"particles", &P::particles, from_to(1, 100000), "spheres"},
+       {"density", &P::density, from_to(1e-6, 1), "spheres over the volume of the membrane"},
+       {"temperature", &P::temperature, from_to(1e-6, 1e6), "kT of the start velocities"},
+       {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},
+       {"mu", &P::mu, from_to(0, 1e12), "coefficient of friction"},
+       {"beta0", &P::beta0, from_to(-1, 1), "tangential restitution of surfaces that stick"},
+       {"duration", &P::duration, above(0), "time simulated"},
+       {"seed", &P::seed, {}, "of start velocities"}},
+      &build_rough);
+}
+
+}  // namespace tps
