@@ -77,5 +77,6 @@ std::vector<RunLaw> symmetry_laws();
 std::vector<RunLaw> continuation_laws();
 std::vector<RunLaw> orbit_laws();
 std::vector<RunLaw> contact_laws();
+std::vector<RunLaw> effect_laws();
 
 }  // namespace tps::properties::runs

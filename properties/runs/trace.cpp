@@ -38,14 +38,21 @@ Point point(const JsonValue& value, std::size_t line) {
   return result;
 }
 
+Point spin_of(const JsonValue& value, std::size_t line) {
+  const bool in_the_plane = value.array() != nullptr && value.array()->size() == 1;
+  const Point read = point(value, line);
+  return in_the_plane ? Point(0, 0, read[0]) : read;
+}
+
 std::map<std::int32_t, TracedState> states(const JsonValue* value, std::size_t line) {
   std::map<std::int32_t, TracedState> result;
   if (value == nullptr) return result;
   if (value->object() == nullptr) lacks(line, "states by id");
   for (const JsonMember& entry : *value->object()) {
-    result[static_cast<std::int32_t>(std::stol(entry.key))] = {
-        point(member(entry.value, "position", line), line),
-        point(member(entry.value, "velocity", line), line)};
+    TracedState& state = result[static_cast<std::int32_t>(std::stol(entry.key))];
+    state = {point(member(entry.value, "position", line), line),
+             point(member(entry.value, "velocity", line), line)};
+    if (const JsonValue* spin = entry.value.find("spin")) state.spin = spin_of(*spin, line);
   }
   return result;
 }
@@ -56,6 +63,8 @@ TracedEvent event_of(const JsonValue& json, std::size_t line) {
   const bool drag = json.find("s") != nullptr;  // the clock in which paths are straight
   e.t = read_instant(text(member(json, drag ? "s" : "t", line), line));
   e.dt = read_real(text(member(json, drag ? "ds" : "dt", line), line));
+  if (drag) e.time = read_real(text(member(json, "t", line), line));
+  if (const JsonValue* contact = json.find("contact")) e.sticks = text(*contact, line) == "sticks";
   e.kind = text(member(json, "kind", line), line);
   if (const JsonValue* i = json.find("i")) e.i = integer<std::int32_t>(*i, line);
   if (const JsonValue* j = json.find("j")) e.j = integer<std::int32_t>(*j, line);

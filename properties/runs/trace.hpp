@@ -16,20 +16,23 @@ namespace tps::properties::runs {
 /// A particle at an event.
 struct TracedState {
   Point position = Point::Zero(), velocity = Point::Zero();
+  std::optional<Point> spin = {};  ///< where friction acted; in the plane along z
   bool operator==(const TracedState&) const = default;
 };
 
 /// One event; particles by id.
 struct TracedEvent {
   std::uint64_t k = 0;
-  Instant t;    ///< on the scene's clock
-  Real dt = 0;  ///< since the event before, as the run rounded it
+  Instant t;                      ///< on the scene's clock; with drag on the run's, s
+  std::optional<Real> time = {};  ///< with drag: what is printed beside s
+  Real dt = 0;                    ///< since the event before, as the run rounded it
   std::string kind;
   std::optional<std::int32_t> i, j;
   std::map<std::int32_t, TracedState> pre, post;
   std::optional<Point> dp, dp_stored;
   std::vector<std::int32_t> members;
-  std::string tether;  ///< "formed", "broken" or empty
+  std::optional<bool> sticks = {};  ///< where friction acted
+  std::string tether;               ///< "formed", "broken" or empty
   std::optional<Real> draw;
   int phase = -1;
 

@@ -1,7 +1,9 @@
 // Collisions of particles that keep a spin: eq. (4) along the axis, friction across it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ namespace tps {
 template <typename Scalar, int D>
 class SpinCoupling final : public FreeCoupling<Scalar, D> {
  public:
+  using Vec = Vector<Scalar, D>;
   using SpinVec = Spin<Scalar, D>;
   static constexpr int kSize = D == 2 ? 1 : 3;
 
@@ -89,9 +92,14 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
     if (!is_finite<Scalar, kSize>(after)) throw OutOfRange("the spin of " + particle_name(world.scene, i));
     set_spin(i, after);
     record.spins.push_back({i, {before.begin(), before.end()}, {after.begin(), after.end()}});
-    const Scalar speeds = norm<Scalar, D>(side.velocity_before) + norm<Scalar, D>(world.velocity(i)) +
+    const Vec& V = world.frame_velocity();
+    const Vec& v = world.velocity(i);
+    const Scalar speeds = norm<Scalar, D>(side.velocity_before) + norm<Scalar, D>(v);
+    const Scalar in_frame = norm<Scalar, D>(side.velocity_before - V) + norm<Scalar, D>(v - V);
+    const Scalar larger = std::max(speeds, in_frame) +
                           radius(world, i) * Scalar(norm<Scalar, kSize>(before) + norm<Scalar, kSize>(after));
-    world.ledger.add_rounding(world.mass(i), speeds);
+    const Scalar units = Scalar(32) * std::numeric_limits<Scalar>::epsilon();  // 64 u
+    world.ledger.energy_bound += units * world.mass(i) * larger * larger;
   }
 
   std::size_t species_;

@@ -70,8 +70,8 @@ TEST(Friction, HonestRunsConform) {
         options.certifier = &certifier;
         const testing::TracedRun run = testing::traced(busy(seed), options);
         for (const std::string& line : run.lines) {
-          sticks += line.find("\"sticks\"") != std::string::npos ? 1 : 0;
-          slides += line.find("\"slides\"") != std::string::npos ? 1 : 0;
+          sticks += line.find("\"sticks\"") != std::string::npos ? 1U : 0U;
+          slides += line.find("\"slides\"") != std::string::npos ? 1U : 0U;
         }
         const check::CheckReport report = checked(run.bytes);
         ASSERT_TRUE(report.conforming()) << seed << ' ' << scalar << ": " << first_finding(report);
