@@ -26,6 +26,7 @@ bool can_have_drag(const Scene& scene) {
 /// −ln(1 − γs)/γ in long double: 16 of its units off, and half an ulp of the double that is printed.
 bool is_time_of(Real s, Real time, Real gamma, int digits) {
   if (digits > 53) return true;  // s has more than a long double holds
+  if (s == 0) return time == 0;
   const Real t = -std::log1p(-gamma * s) / gamma;
   const Real z = gamma * s;
   const Real share = z < 1 ? z / ((1 - z) * std::max(-std::log1p(-z), z)) : 0;
@@ -157,9 +158,8 @@ std::optional<std::string> rubs_wrongly(const Scene& scene, const PairLaw& law, 
 }
 
 RunVerdict rubs(const Scene& scene, Simulator& simulator) {
-  const Real u = roundoff_of(simulator.scalar());
-  if (u == 0 ||
-      !std::ranges::any_of(scene.pairs, [](const PairLaw& law) { return law.friction.has_value(); }))
+  const Real u = judged_roundoff(simulator.scalar());
+  if (!std::ranges::any_of(scene.pairs, [](const PairLaw& law) { return law.friction.has_value(); }))
     return RunVerdict::not_asked();
   const auto species_of = [&](std::int32_t id) {
     return std::ranges::find_if(scene.particles, [&](const Particle& p) { return p.id == id; })->species;

@@ -23,7 +23,8 @@ void judge_spins_listed(const Context<Number>& c, const EventLine<Number>& event
   const bool moved = event.dp ? !(*event.dp == Vec<Number>{}) : false;
   for (const InvolvedParticle<Number>& p : event.involved) {
     const bool turns = rubs && model.keeps_spin(p.particle);
-    c.tally.demand(Rule::bystanders, turns || (!p.spin_before && !p.spin_after), [&](Finding& f) {
+    if (!turns && !p.spin_before && !p.spin_after) continue;
+    c.tally.demand(Rule::bystanders, turns, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
       f.message =
           fmt::format("particle {} is said to turn; no friction acts on its spin here", model.id(p.particle));
