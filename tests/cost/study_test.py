@@ -124,6 +124,26 @@ def test_runs(folder):
     check(len(figures_of(page)[1]) == len(runs), "a mark for each rate")
 
 
+def test_command(folder):
+    """Programs that speak the protocol, beside ours: the certified server, and eq. (2) with b² − 4ac in Python."""
+    selection = ["--quick", "--quiet", "--questions", "60", "--repetitions", "2", "--stratum", "graze", "--variant", "certified-time"]
+    study_file, page_file = folder / "own.json", folder / "own.html"
+    for words, is_right in (([program, "serve"], True), ([sys.executable, "-B", root / "data/adapters/python/by_approach.py"], False)):
+        cost(*selection, "--json", study_file, "--page", page_file, "--", *words)
+        study = json.loads(study_file.read_text())
+        cells = {c["variant"]: c for c in study["strata"][0]["cells"]}
+        wrong = {name: c["missed"] + c["invented"] + c["moved"] for name, c in cells.items()}
+        check((wrong["command"] == 0) == is_right, f"{words}: {wrong}")
+        check(cells["command"]["ns"]["latency"]["median"] > cells["certified-time"]["ns"]["latency"]["median"], "a pipe takes no time")
+        if is_right:
+            check(cells["command"]["log2_error"]["max"] <= -53, "a time of the server is not rounded once")
+        check(any(mark.startswith("command: ") for marks in figures_of(page_file.read_text()) for mark in marks), "no mark of the command")
+        study_file.unlink()
+    check("bye" not in cost(*selection, "--", "false", expect=4).stdout, "a program that says nothing")
+    cost(*selection, "--", expect=2)
+    cost("--runs", "--", "true", expect=2)
+
+
 def test_responses(folder):
     study, rows, page = level_study(folder, "--responses", "--questions", "4")
     responses = study["responses"]["rows"]
@@ -166,6 +186,6 @@ def test_refusals(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_responses, test_runs, test_model, test_hard_cases, test_refusals):
+    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_command, test_responses, test_runs, test_model, test_hard_cases, test_refusals):
         test(pathlib.Path(name))
 print("the study, its table, its text and its page agree")

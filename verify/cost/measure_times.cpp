@@ -15,24 +15,26 @@ namespace {
 constexpr double kShortest = 50'000;  // ns
 constexpr double kConfidence = 0.95;
 
-/// Of this thread alone: what others do on the machine costs caches, not time.
-double cpu_ns() {
+/// Of this thread alone, so that what others do on the machine costs caches, not time; or of the wall, where
+/// somebody else answers.
+double now_ns(bool elsewhere) {
   timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  clock_gettime(elsewhere ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-using Loop = void (*)(std::span<const TimingQuery>);
+using Loop = std::function<void(std::span<const TimingQuery>)>;
 
-double ns_of(Loop loop, std::span<const TimingQuery> queries, int passes) {
-  const double start = cpu_ns();
+double ns_of(const Loop& loop, bool elsewhere, std::span<const TimingQuery> queries, int passes) {
+  const double start = now_ns(elsewhere);
   for (int pass = 0; pass < passes; ++pass) loop(queries);
-  return (cpu_ns() - start) / (passes * static_cast<double>(queries.size()));
+  return (now_ns(elsewhere) - start) / (passes * static_cast<double>(queries.size()));
 }
 
 /// The first pass also warms caches and branch predictors.
-int passes_for(Loop loop, std::span<const TimingQuery> queries) {
-  const double once = ns_of(loop, queries, 1) * static_cast<double>(queries.size());
+int passes_for(const Variant& variant, std::span<const TimingQuery> queries) {
+  const double once =
+      ns_of(variant.throughput, variant.elsewhere, queries, 1) * static_cast<double>(queries.size());
   return std::max(1, static_cast<int>(std::ceil(kShortest / std::max(once, 1.0))));
 }
 
@@ -46,7 +48,7 @@ std::vector<Samples> interleaved(const std::vector<Variant>& variants,
                                  const std::vector<TimingQuery>& queries, const StudyOptions& options) {
   std::vector<Samples> samples(variants.size());
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    samples[i].passes = passes_for(variants[i].throughput, queries);
+    samples[i].passes = passes_for(variants[i], queries);
   }
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -56,8 +58,10 @@ std::vector<Samples> interleaved(const std::vector<Variant>& variants,
       std::swap(order[i - 1], order[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
     }
     for (const std::size_t i : order) {
-      samples[i].throughput.push_back(ns_of(variants[i].throughput, queries, samples[i].passes));
-      samples[i].latency.push_back(ns_of(variants[i].latency, queries, samples[i].passes));
+      samples[i].throughput.push_back(
+          ns_of(variants[i].throughput, variants[i].elsewhere, queries, samples[i].passes));
+      samples[i].latency.push_back(
+          ns_of(variants[i].latency, variants[i].elsewhere, queries, samples[i].passes));
     }
   }
   return samples;
@@ -77,9 +81,10 @@ std::vector<Path> paths_of(const Variant& variant, const std::vector<TimingQuery
   for (std::size_t stage = 0; stage < 3; ++stage) {
     Path path{names[stage], by_stage[stage].size(), 0};
     if (path.questions > 0) {
-      const int passes = passes_for(variant.throughput, by_stage[stage]);
+      const int passes = passes_for(variant, by_stage[stage]);
       std::vector<double> ns;
-      for (int n = 0; n < repetitions; ++n) ns.push_back(ns_of(variant.throughput, by_stage[stage], passes));
+      for (int n = 0; n < repetitions; ++n)
+        ns.push_back(ns_of(variant.throughput, variant.elsewhere, by_stage[stage], passes));
       path.ns = quantiles(ns).median;
     }
     paths.push_back(path);
@@ -98,7 +103,7 @@ void measure_times(StratumResult& result, const StudyOptions& options, const std
     times.ratio = times.throughput.median / quantiles(baseline).median;
     times.ratio_interval = ratio_interval(samples[i].throughput, baseline, kConfidence, options.seed);
     result.cells[i].times = times;
-    if (variants[i].counted != nullptr) {
+    if (variants[i].counted) {
       result.cells[i].paths = paths_of(variants[i], queries, options.repetitions);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kColours[][2] = {  // on light, on dark
     {"#b3261e", "#ff8a80"}, {"#c26a00", "#ffb74d"}, {"#8a6d00", "#e6cf5c"}, {"#3f7d20", "#9ccc65"},
     {"#00796b", "#4dd0c4"}, {"#5d4037", "#bcaaa4"}, {"#616161", "#bdbdbd"}, {"#1565c0", "#64b5f6"},
-    {"#4527a0", "#b39ddb"}, {"#000000", "#ffffff"}, {"#ad1457", "#f48fb1"}};
+    {"#4527a0", "#b39ddb"}, {"#000000", "#ffffff"}, {"#ad1457", "#f48fb1"}, {"#0277bd", "#81d4fa"}};
 
 constexpr const char* kStyle = R"(
 :root{color-scheme:light dark;--paper:#fff;--ink:#1b1b1b;--faint:#d9d9d9;--soft:#5c5c5c}

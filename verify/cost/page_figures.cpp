@@ -8,6 +8,7 @@
 
 #include "verify/cost/json_at.hpp"
 #include "verify/cost/plot.hpp"
+#include "verify/cost/variant.hpp"
 
 namespace tps::cost {
 namespace {
@@ -83,7 +84,9 @@ std::map<std::string, std::string> selected(const Json& study, const Selection& 
   std::map<std::string, std::string> styles;
   for (const Json& variant : study.at("variants")) {
     const std::string name = text_at(variant, "name");
-    if (selection.formula.empty()) {
+    if (text_at(variant, "arithmetic") == kForeignArithmetic) {
+      styles[name] = series(study, name);
+    } else if (selection.formula.empty()) {
       if (text_at(variant, "arithmetic") == selection.arithmetic) styles[name] = series(study, name);
     } else if (text_at(variant, "formula") == selection.formula) {
       styles[name] =

@@ -129,6 +129,8 @@ Json study_json(const StudyOptions& options, const std::vector<Variant>& measure
     json["formulas"].push_back({{"name", formula.name}, {"what", formula.what}});
   }
   for (const Variant& variant : measured) {
+    if (!variant.what.empty())
+      json["formulas"].push_back({{"name", variant.formula}, {"what", variant.what}});
     json["variants"].push_back({{"name", variant.name},
                                 {"formula", variant.formula},
                                 {"arithmetic", variant.arithmetic},

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,16 +36,19 @@ struct Variant {
   std::string name;        ///< formula-arithmetic, as `--variant` takes it
   std::string formula;     ///< key of formulas()
   std::string arithmetic;  ///< float, double, …
-  int bits;                ///< of the significand it works in
-  bool has_time;           ///< false: verdict only
+  int bits = 0;            ///< of the significand it works in
+  bool has_time = true;    ///< false: verdict only
 
-  Answer (*answer)(const TimingQuery&);
+  std::function<Answer(const TimingQuery&)> answer;
   /// Answers all, one independent of the other.
-  void (*throughput)(std::span<const TimingQuery>);
-  /// Answers all, each query made from the answer before (by bits that are zero).
-  void (*latency)(std::span<const TimingQuery>);
-  /// Of a filtered variant: how many questions it hands on; null for the others.
-  exact::Counters (*counted)(std::span<const TimingQuery>) = nullptr;
+  std::function<void(std::span<const TimingQuery>)> throughput;
+  /// Answers all, each query made from the answer before (by bits that are zero), or asked behind it.
+  std::function<void(std::span<const TimingQuery>)> latency;
+  /// Of a filtered variant: how many questions it hands on; empty for the others.
+  std::function<exact::Counters(std::span<const TimingQuery>)> counted = {};
+
+  std::string what = {};   ///< of a variant whose formula is not among formulas(): what it is
+  bool elsewhere = false;  ///< answers in another process: timed by the clock on the wall
 };
 
 /// What a formula is, in a line.
@@ -56,6 +60,9 @@ const std::vector<Formula>& formulas();
 /// Every variant, in the order of the tables: by formula, then by bits. The first is the one that ratios are
 /// taken against.
 const std::vector<Variant>& variants();
+
+/// The arithmetic of somebody else's variant; figures show it beside ours, whatever they select.
+inline constexpr const char* kForeignArithmetic = "yours";
 
 /// What every time is compared with: eq. (2) as printed in double.
 inline constexpr const char* kBaseline = "printed-double";

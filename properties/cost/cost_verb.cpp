@@ -6,8 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "properties/cost/foreign_variant.hpp"
+#include "properties/implementations/program.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/printable.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
@@ -23,7 +26,7 @@ using namespace tps::cost;
 
 struct CostArguments {
   StudyOptions options;
-  std::vector<std::string> variants, strata, case_names;
+  std::vector<std::string> variants, strata, case_names, words;
   std::optional<int> questions_given;
   std::uint64_t events = 3000;  // of each run of --runs, at most
   std::string from, json, csv, page, format = "text";
@@ -56,11 +59,13 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// The baseline is always among them, since ratios are taken against it.
-std::vector<Variant> wanted_variants(const std::vector<std::string>& names) {
+std::vector<Variant> wanted_variants(const std::vector<std::string>& names,
+                                     const std::vector<std::string>& words) {
   std::vector<Variant> result;
   for (const Variant& variant : variants()) {
     if (variant.name == kBaseline || wanted(names, variant.name)) result.push_back(variant);
   }
+  if (!words.empty()) result.push_back(properties::foreign_variant(words));
   return result;
 }
 
@@ -68,7 +73,7 @@ std::vector<Variant> wanted_variants(const std::vector<std::string>& names) {
 Json resumed(const std::string& path, const Json& fresh) {
   if (path.empty() || path == "-" || !std::filesystem::exists(path)) return fresh;
   const Json stored = read_study(path);
-  for (const char* key : {"settings", "variants", "machine"}) {
+  for (const char* key : {"settings", "formulas", "variants", "machine"}) {
     if (stored.at(key) != fresh.at(key)) {
       throw InputError({{path, 0, std::string("/") + key,
                          "is of another study; remove the file, or name another one by --json"}});
@@ -83,7 +88,7 @@ bool has_stratum(const Json& study, const std::string& name) {
 }
 
 Json measured(const CostArguments& a) {
-  const std::vector<Variant> chosen = wanted_variants(a.variants);
+  const std::vector<Variant> chosen = wanted_variants(a.variants, a.words);
   Json study = resumed(a.json, study_json(a.options, chosen, this_machine()));
   for (const Hazard& hazard : hazards()) {
     if (!wanted(a.strata, hazard.name) || has_stratum(study, hazard.name)) continue;
@@ -134,6 +139,7 @@ With --json FILE a call that was interrupted goes on where the file ends.
 Examples: tps cost --quick --page cost.html
           tps cost --quick --stratum graze --variant stable-double,certified-time
           tps cost --from cost.json --page cost.html
+          tps cost --quick --variant stable-double --page mine.html -- python3 mine.py
           tps cost --responses --csv responses.csv
           tps cost --runs --page runs.html
           tps cost --model --csv model.csv
@@ -227,6 +233,11 @@ void add_cost(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   verb->add_flag("--quiet", a->quiet, "No progress");
+  CLI::Option* const words = verb->add_option(
+      "command", a->words, "Behind --: a program of yours that speaks the protocol, measured beside ours");
+  for (const char* level : {"--responses", "--runs", "--model", "--hard-cases", "--from"}) {
+    words->excludes(verb->get_option(level));
+  }
   verb->footer(kCostFooter);
   verb->callback([=, &exit_code] {
     const StudyOptions given = a->options;
@@ -238,8 +249,16 @@ void add_cost(CLI::App& app, int& exit_code) {
     if (verb->count("--repetitions") > 0) defaults.repetitions = given.repetitions;
     defaults.seed = given.seed;
     a->options = defaults;
-    run_cost(*a);
-    exit_code = kDone;
+    if (a->words.empty() ? command_line_has_dashes() : a->words[0].empty()) {
+      throw CLI::ValidationError("nothing stands behind --; name a command there, or leave -- out");
+    }
+    try {
+      run_cost(*a);
+      exit_code = kDone;
+    } catch (const properties::ProgramError& error) {
+      say("tps: {}\n", printable_lines(error.what()));
+      exit_code = kOtherProgram;
+    }
   });
 }
 
