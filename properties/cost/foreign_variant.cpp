@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "properties/implementations/program.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties {
@@ -35,7 +36,7 @@ int hex_digit(char c) {
 }
 
 [[noreturn]] void refuse(const Json& number) {
-  throw ProgramError("t is " + number.dump() +
+  throw ProgramError("t is " + json_text(number) +
                      "; allowed is a finite number: JSON's, or a hexadecimal float in a string");
 }
 
@@ -92,7 +93,7 @@ cost::Answer answer_of(const Answer& reply) {
   if (reply.status != Answer::Status::answered) throw ProgramError(reply.reason);
   const auto verdict = reply.out.find("verdict");
   const auto t = reply.out.find("t");
-  if (t == reply.out.end()) throw ProgramError("the reply has no t: " + reply.out.dump());
+  if (t == reply.out.end()) throw ProgramError("the reply has no t: " + json_text(reply.out));
   cost::Answer answer;
   answer.occurs = !t->is_null();
   if (verdict != reply.out.end() && verdict->is_string())
