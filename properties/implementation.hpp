@@ -55,6 +55,8 @@ class Implementation {
   virtual std::optional<std::vector<std::string>> offered() const { return std::nullopt; }
   /// Whether groups may have collisions at outer limits; the C header has none.
   virtual bool takes_outer_groups() const { return true; }
+  /// What the questions that it takes have and have not, in the words of `tps scene random --features`.
+  virtual std::vector<std::string> features() const { return {}; }
   /// Why it is not worth asking any more; empty as long as it is.
   virtual std::string given_up() const { return {}; }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,21 +12,16 @@
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/probe.hpp"
+#include "properties/conform/takes.hpp"
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/eval/operations.hpp"
+#include "verify/protocol/catalogue.hpp"
 
 namespace tps::properties::conform {
 namespace {
-
-bool wanted(const std::vector<std::string>& list, const std::string& name) {
-  return list.empty() || std::any_of(list.begin(), list.end(), [&](const std::string& pattern) {
-           return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-         });
-}
 
 /// The reference in the narrowest of its scalars that has these bits.
 std::unique_ptr<Implementation> reference_in(const Format& format) {
@@ -67,7 +63,10 @@ class KnownAnswers {
                               subject_.takes_outer_groups()};
     for_known_questions(selection, subject_.format(), [this](const Stratum& stratum) {
       if (plan_.stops() || !subject_.given_up().empty()) return false;
-      if (offers(stratum)) ask(stratum);
+      Stratum taken = stratum;
+      std::erase_if(taken.cases,
+                    [this](const KnownQuestion& each) { return !takes(subject_.features(), each.question); });
+      if (!taken.cases.empty() && offers(taken)) ask(taken);
       return true;
     });
   }
@@ -102,7 +101,9 @@ class KnownAnswers {
     std::vector<Question> questions;
     for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t computed = std::clock();
     const std::vector<Answer> answers = subject_.ask_all(questions);
+    verdict_.environment.cpu_seconds += static_cast<double>(std::clock() - computed) / CLOCKS_PER_SEC;
     verdict_.environment.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,
@@ -150,20 +151,18 @@ class KnownAnswers {
 
 }  // namespace
 
+bool wanted(const std::vector<std::string>& list, const std::string& name) {
+  return list.empty() || std::any_of(list.begin(), list.end(), [&](const std::string& pattern) {
+           return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+         });
+}
+
 std::string area_of(const std::string& op) {
-  if (op == "block_time" || op == "tether_time") return "timing";
-  if (op == "tether_response") return "response";
-  if (op == "group") return "grouping";
-  if (op == "next_event") return "engine";
-  return op == "order" ? op : "equations";
+  return std::string(protocol::find_entry(op)->part);
 }
 
 std::string page_of(const std::string& op) {
-  const eval::Operation* operation = eval::find_operation(op);
-  if (operation == nullptr) return op == "order" ? "docs/exact.md" : "docs/protocol.md";
-  // "(4)", and "(4) or (5)" of the response that decides between them by what eq5.md says
-  const std::string_view equation = operation->equation;
-  return fmt::format("docs/eq{}.md", equation[equation.size() - 2]);
+  return std::string(protocol::find_entry(op)->page);
 }
 
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {

@@ -7,6 +7,7 @@
 
 #include "properties/check_law.hpp"
 #include "properties/conform/inquiry.hpp"
+#include "properties/conform/takes.hpp"
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
@@ -36,6 +37,10 @@ class Watched final : public Implementation {
     return end && Clock::now() > *end ? "the time for shrinking is over" : subject_.given_up();
   }
   Answer ask(const Question& question) override {
+    if (!takes(subject_.features(), question)) {
+      untaken = true;
+      return {Answer::Status::skipped, {}, "it does not take such questions"};
+    }
     Answer answer = subject_.ask(question);
     failed = failed || answer.status == Answer::Status::failed;
     times_alone = times_alone ||
@@ -44,6 +49,7 @@ class Watched final : public Implementation {
   }
 
   bool failed = false;       ///< a crash, a hang, a breach of the protocol
+  bool untaken = false;      ///< a question that the features of hello exclude
   bool times_alone = false;  ///< a time without a verdict, which laws need
   std::optional<Clock::time_point> end;
 
@@ -85,6 +91,7 @@ class Laws {
       if (plan_.stops() || !subject_.given_up().empty()) break;
       Watched watched(subject_);
       const Examined found = examine(law, watched, generated_case(law, subject_.format(), plan_.seed, n));
+      if (watched.untaken) continue;
       if (found.outcome.kind == Kind::skipped) return;
       if (watched.failed)
         verdict_.note_failure(fmt::format("{}, case {}", law.text.id, n), found.outcome.why);
@@ -165,6 +172,7 @@ class Laws {
     Watched hurried(subject_);
     hurried.end = start + std::chrono::duration_cast<Clock::duration>(left);
     if (!row.example || !hurried.given_up().empty()) return;
+    plan_.progress(law.text.id + std::string(": making its case simpler"));
     Tally tally;
     Extent extent{plan_.seed, n, 1};
     const auto finding = check_law(law, hurried, extent, tally);

@@ -4,14 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <limits>
 
+#include "properties/conform/judge_trace.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/conform/trace_features.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
-#include "verify/trace_check/check.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -20,32 +19,14 @@ constexpr const char* kPage = "docs/check.md";
 constexpr const char* kArea = "whole runs";
 constexpr int kMostFailures = 5;
 
-/// A reading is defensible where the paper is silent (docs/decisions.md, N104).
-bool is_defensible(const std::string& reading) {
-  constexpr std::array<const char*, 5> kSilent{"D9:", "D11:", "D12:", "D13:", "D16:"};
-  return std::any_of(kSilent.begin(), kSilent.end(), [&](const char* d) { return reading.starts_with(d); });
-}
-
-Class class_of(const check::Finding& finding) {
-  if (finding.outcome == check::Outcome::undecided) return Class::beyond;
-  if (is_defensible(finding.reading)) return Class::other_reading;
-  return finding.message.starts_with("creep:") ? Class::worse : Class::wrong;
-}
-
-std::string words_of(const check::Finding& f) {
-  std::string text = fmt::format("line {}, {}: {}", f.line, check::name(f.rule), f.message);
-  if (f.off && f.allowed) text += fmt::format("; off by {:.3g} ulp, allowed {:.3g}", *f.off, *f.allowed);
-  if (!f.reading.empty()) text += "; another reading of the paper, " + f.reading;
-  return text;
-}
-
 class Runs {
  public:
   Runs(const RunPlan& plan, Verdict& verdict) : plan_(plan), verdict_(verdict), whole_(row("whole")) {}
 
   void ask() {
     std::uint64_t number = plan_.first;
-    for (std::uint64_t asked = 0; asked < plan_.scenes && failures_ < kMostFailures; ++number) {
+    for (std::uint64_t asked = 0;
+         asked < plan_.scenes && failures_ < kMostFailures && endless_ < kMostFailures; ++number) {
       if (plan_.stops()) break;
       const auto scene = random_scene(plan_.features, plan_.seed, number);
       if (!scene) continue;
@@ -53,8 +34,11 @@ class Runs {
       plan_.progress(fmt::format("scene {} of seed {}", number, plan_.seed));
       ask(*scene, number);
     }
-    if (failures_ == kMostFailures)
-      verdict_.notes["runs"] = "given up after 5 failures; further scenes were not asked";
+    if (failures_ == kMostFailures || endless_ == kMostFailures) {
+      verdict_.notes["runs"] =
+          fmt::format("given up after {} {}; further scenes were not asked", kMostFailures,
+                      failures_ == kMostFailures ? "failures" : "runs without an end");
+    }
     verdict_.rows.push_back(whole_);
     for (auto& [feature, row] : by_feature_) verdict_.rows.push_back(std::move(row));
   }
@@ -62,7 +46,7 @@ class Runs {
  private:
   static Row row(const std::string& feature) { return {kArea, "run." + feature, "runs", feature, kPage}; }
 
-  Example example(std::uint64_t number, std::string why) const {
+  Example example(const Scene& scene, std::uint64_t number, std::string why) const {
     const std::string features =
         plan_.features.empty() ? "" : fmt::format(" --features {}", fmt::join(plan_.features, ","));
     Example made{
@@ -70,7 +54,7 @@ class Runs {
         fmt::format("scene {} of seed {}", number, plan_.seed),
         std::move(why),
         {fmt::format("tps scene random --seed {} --number {}{} -o scene.json", plan_.seed, number, features)},
-        {},
+        fmt::format("{{\"scene\":{}}}", write_scene(scene, SceneStyle::compact)),
         0,
         0};
     if (!plan_.source.command_for_scene.empty()) {
@@ -81,28 +65,22 @@ class Runs {
 
   void ask(const Scene& scene, std::uint64_t number) {
     const Run found = plan_.source.run(scene);
-    if (found.kind == Run::Kind::failed && !is_wrong_before_its_end(scene, found.trace)) {
-      ++failures_;
+    if (found.kind == Run::Kind::failed) {
+      const bool is_wrong = is_wrong_before_its_end(scene, found.trace);
+      ++(is_wrong ? endless_ : failures_);
+      if (is_wrong) return judge(scene, number, found.trace);
       return verdict_.note_failure(fmt::format("scene {} of seed {}", number, plan_.seed), found.problem);
     }
     if (found.kind == Run::Kind::refused)
       return whole_.add({Class::refused, found.problem},
-                        example(number, "refuses the scene: " + found.problem));
+                        example(scene, number, "refuses the scene: " + found.problem));
     judge(scene, number, found.trace);
-  }
-
-  static check::CheckReport checked(const Scene& scene, const std::string& trace) {
-    const runs::ScratchFile file(trace), scene_file(write_scene(scene));
-    check::CheckOptions options;
-    options.scene = scene_file.path();
-    options.max_reports = 10 * kMostEventsOfARun;  // of each rule: all
-    return check::check_trace(file.path(), options);
   }
 
   /// A run that goes on for ever may have gone wrong: what it wrote before says so.
   static bool is_wrong_before_its_end(const Scene& scene, const std::string& trace) {
     try {
-      const check::CheckReport report = checked(scene, trace);
+      const check::CheckReport report = checked(write_scene(scene), trace);
       return std::any_of(report.findings.begin(), report.findings.end(), [](const check::Finding& finding) {
         return finding.rule != check::Rule::end && finding.rule != check::Rule::progress &&
                class_of(finding) == Class::wrong;
@@ -112,35 +90,64 @@ class Runs {
     }
   }
 
+  /// The line behind which a run is not judged: where a wall has joined a group, other particles part at
+  /// other times than those that the check follows.
+  std::uint64_t end_of_what_is_judged(const check::CheckReport& report) const {
+    std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
+    for (const check::Finding& finding : report.findings) {
+      if (finding.reading.starts_with("D9:")) end = std::min<std::uint64_t>(end, finding.line);
+    }
+    if (end != std::numeric_limits<std::uint64_t>::max())
+      verdict_.notes["a wall joins a group (D9)"] = "such runs were judged up to there";
+    return end;
+  }
+
+  /// What the energy of an event becomes follows from its impulse.
+  static bool follows_from_a_reading(const check::Finding& finding, const check::CheckReport& report) {
+    return finding.rule == check::Rule::conservation &&
+           std::any_of(report.findings.begin(), report.findings.end(), [&](const check::Finding& other) {
+             return other.line == finding.line && other.rule == check::Rule::impulse &&
+                    class_of(other) == Class::other_reading;
+           });
+  }
+
   void judge(const Scene& scene, std::uint64_t number, const std::string& trace) {
     check::CheckReport report;
     try {
-      report = checked(scene, trace);
+      report = checked(write_scene(scene), trace);
     } catch (const InputError& error) {
       const std::string why = error.problems().empty() ? "no trace" : error.problems().front().message;
-      return whole_.add({Class::wrong, why}, example(number, "wrote no trace that can be judged: " + why));
+      return whole_.add({Class::wrong, why},
+                        example(scene, number, "wrote no trace that can be judged: " + why));
     }
     const auto features = features_by_line(trace, scene);
+    const std::uint64_t end = end_of_what_is_judged(report);
     std::map<std::uint64_t, const check::Finding*> worst;
     const check::Finding* worst_of_all = nullptr;
     for (const check::Finding& finding : report.findings) {
+      if (finding.line > end || follows_from_a_reading(finding, report)) continue;
       const check::Finding*& here = worst[finding.line];
       if (here == nullptr || class_of(finding) > class_of(*here)) here = &finding;
       if (worst_of_all == nullptr || class_of(finding) > class_of(*worst_of_all)) worst_of_all = &finding;
     }
-    add(whole_, report.conforming() && !report.inconclusive() ? nullptr : worst_of_all, number);
+    add(whole_, report.conforming() && !report.inconclusive() ? nullptr : worst_of_all, scene, number);
     for (const auto& [line, met] : features) {
+      if (line > end) break;
       const auto finding = worst.find(line);
       for (const std::string& feature : met) {
         Row& events = by_feature_.try_emplace(feature, row(feature)).first->second;
-        add(events, finding == worst.end() ? nullptr : finding->second, number);
+        add(events, finding == worst.end() ? nullptr : finding->second, scene, number);
       }
     }
   }
 
-  void add(Row& row, const check::Finding* finding, std::uint64_t number) const {
+  void add(Row& row, const check::Finding* finding, const Scene& scene, std::uint64_t number) const {
     if (finding == nullptr) return row.add({}, {});
-    row.add({class_of(*finding), words_of(*finding)}, example(number, words_of(*finding)));
+    Example shown = example(scene, number, words_of(*finding));
+    if (!finding->particles.empty())  // those who are drawn
+      shown.found =
+          fmt::format("{{\"i\":{},\"j\":{}}}", finding->particles.front(), finding->particles.back());
+    row.add({class_of(*finding), words_of(*finding)}, std::move(shown));
     if (!finding->reading.empty()) ++row.hypotheses[finding->reading];
   }
 
@@ -149,6 +156,7 @@ class Runs {
   Row whole_;
   std::map<std::string, Row> by_feature_;
   int failures_ = 0;
+  int endless_ = 0;  ///< runs that went wrong and did not end: each costs its whole time limit
 };
 
 }  // namespace

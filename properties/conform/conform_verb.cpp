@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "properties/conform/ask_runs.hpp"
+#include "properties/conform/ask_all.hpp"
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/profile.hpp"
@@ -120,6 +120,9 @@ conform::Plan plan_of(const ConformArguments& a) {
   plan.seed = a.seed;
   plan.ops = a.ops;
   plan.strata = a.strata;
+  plan.features = a.features;
+  plan.scenes = a.scenes > 0 ? a.scenes : a.level == 1 ? 20 : 100;
+  plan.first_scene = a.first_scene;
   plan.shrink_seconds = a.shrink_seconds;
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(a.total);
   plan.stops = [limited = a.total > 0, deadline] {
@@ -149,39 +152,6 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-void ask_runs_of(RunSource source, const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
-  RunPlan runs;
-  runs.source = std::move(source);
-  runs.features = a.features;
-  runs.scenes = a.scenes > 0 ? a.scenes : a.level == 1 ? 20 : 100;
-  runs.first = a.first_scene;
-  runs.stops = plan.stops;
-  runs.progress = plan.progress;
-  ask_runs(runs, verdict);
-}
-
-void ask_simulator(const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
-  verdict.subject += verdict.subject.empty() ? a.simulator : " and " + a.simulator;
-  ask_runs_of(command_runs(words_of(a.simulator), time_limit(a, kSecondsForARun)), a, plan, verdict);
-}
-
-bool simulates(const Implementation& subject, const conform::Plan& plan) {
-  const auto offered = subject.offered();
-  const auto has = [](const std::vector<std::string>& list) {
-    return std::find(list.begin(), list.end(), kSimulate) != list.end();
-  };
-  return offered && has(*offered) && plan.strata.empty() && (plan.ops.empty() || has(plan.ops));
-}
-
-void ask(Implementation& subject, const ConformArguments& a, const conform::Plan& plan, Verdict& verdict) {
-  verdict.subject = subject.name();
-  ask_known_answers(subject, plan, verdict);
-  if (plan.strata.empty()) ask_laws(subject, plan, verdict);
-  if (simulates(subject, plan)) ask_runs_of(operation_runs(subject), a, plan, verdict);
-  if (const std::string why = subject.given_up(); !why.empty())
-    verdict.notes["given up"] = why + "; what follows was not asked";
-}
-
 int run_conform(const ConformArguments& a) {
   if (a.hypotheses) {
     write_result("-", fmt::format("{}\n", fmt::join(hypothesis_names(), "\n")));
@@ -205,8 +175,14 @@ int run_conform(const ConformArguments& a) {
   const interrupt::GoodOrder good_order;
   try {
     const auto subject = subject_of(a, verdict.profile);
-    if (subject) ask(*subject, a, plan, verdict);
-    if (!a.simulator.empty()) ask_simulator(a, plan, verdict);
+    if (subject) {
+      verdict.subject = subject->name();
+      ask_all(*subject, plan, verdict);
+    }
+    if (!a.simulator.empty()) {
+      verdict.subject += verdict.subject.empty() ? a.simulator : " and " + a.simulator;
+      ask_simulator(command_runs(words_of(a.simulator), time_limit(a, kSecondsForARun)), plan, verdict);
+    }
   } catch (const ProgramError& error) {
     say("tps: {}\n", printable_lines(error.what()));
     return kOtherProgram;

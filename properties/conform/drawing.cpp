@@ -1,20 +1,12 @@
 #include "properties/conform/drawing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "properties/conform/mistakes.hpp"
+#include "properties/conform/picture.hpp"
 
 namespace tps::properties::conform {
 namespace {
-
-constexpr double kSize = 240;  // of a picture, in its own units
-
-struct Point {
-  double x, y;
-};
 
 /// r and v of a pair as coordinates of the plane that they span: x along r, y so that v has none below it.
 struct Plane {
@@ -27,38 +19,6 @@ struct Plane {
     f = norm(f) > 0 ? (1 / norm(f)) * f : 0.0 * f;
   }
   Point of(const Vec& x) const { return {dot(x, e), dot(x, f)}; }
-};
-
-class Picture {
- public:
-  /// `reach` is the largest coordinate that is drawn.
-  explicit Picture(double reach) : scale_(0.45 * kSize / reach) {}
-
-  void circle(const Point& at, double radius, const char* style) {
-    const Point p = placed(at);
-    shapes_ += fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" class="{}"/>)", p.x, p.y,
-                           radius * scale_, style);
-  }
-  void dot(const Point& at, const char* style, const std::string& label) {
-    const Point p = placed(at);
-    shapes_ += fmt::format(
-        R"(<circle cx="{0:.1f}" cy="{1:.1f}" r="3" class="{2}"/><text x="{3:.1f}" y="{4:.1f}">{5}</text>)",
-        p.x, p.y, style, p.x + 5, p.y - 5, label);
-  }
-  void line(const Point& from, const Point& to, const char* style) {
-    const Point p = placed(from), q = placed(to);
-    shapes_ += fmt::format(R"(<line x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}" class="{}"/>)", p.x, p.y,
-                           q.x, q.y, style);
-  }
-  std::string svg() const {
-    return fmt::format(R"(<svg viewBox="0 0 {0} {0}" width="{0}" height="{0}">{1}</svg>)", kSize, shapes_);
-  }
-
- private:
-  Point placed(const Point& p) const { return {kSize / 2 + scale_ * p.x, kSize / 2 - scale_ * p.y}; }
-
-  double scale_;
-  std::string shapes_;
 };
 
 std::optional<double> time_in(const Json& answer) {
@@ -92,38 +52,78 @@ std::string timing(const Given& g, const Json& found, const Json& right) {
 std::string impulse(const Given& g, const Json& found, const Json& right) {
   const auto dp_found = numbers_of(found.value("dp", Json())),
              dp_right = numbers_of(right.value("dp", Json()));
-  if (!dp_found || !dp_right || dp_found->size() != dp_right->size()) return {};
   const Vec r = g.r(), v = g.v();
   const Plane plane(r, v);
+  if (!(norm(r) > 0 && norm(v) > 0)) return {};
   // Directions and their ratios: lengths, speeds and impulses have no common scale.
-  const double longest = std::max(norm(*dp_found), norm(*dp_right));
-  if (!(norm(r) > 0 && norm(v) > 0 && longest > 0) || !std::isfinite(longest)) return {};
   Picture picture(1);
   picture.line({-1, 0}, {1, 0}, "path");
-  const Point speed = plane.of((0.8 / norm(v)) * v);
-  picture.line({0, 0}, speed, "path");
-  picture.dot(speed, "body", "v_AB");
+  picture.arrow(plane.of((0.8 / norm(v)) * v), "path", "v_AB");
   picture.dot({0, 0}, "body", "");
-  for (const bool is_right : {true, false}) {
-    const Point end = plane.of((0.7 / longest) * (is_right ? *dp_right : *dp_found));
-    picture.line({0, 0}, end, is_right ? "right" : "found");
-    picture.dot(end, is_right ? "right" : "found", is_right ? "right" : "found");
+  double longest = 0;
+  for (const auto& dp : {dp_found, dp_right}) {
+    if (dp && dp->size() == r.size()) longest = std::max(longest, norm(*dp));
   }
+  if (!(longest > 0) || !std::isfinite(longest)) return picture.svg();
+  if (dp_right && dp_right->size() == r.size())
+    picture.arrow(plane.of((0.7 / longest) * *dp_right), "right", "right");
+  if (dp_found && dp_found->size() == r.size())
+    picture.arrow(plane.of((0.7 / longest) * *dp_found), "found", "found");
   return picture.svg();
+}
+
+/// What is given and what comes out of eqs. (3), (6), (7), as vectors in the plane of v_A and v_B.
+std::string vectors(const Given& g, const Json& found, const Json& right) {
+  const Vec v_A = g.vec("v_A"), v_B = g.vec("v_B");
+  const Plane plane(v_A, v_B);
+  struct Arrow {
+    Point to;
+    const char* style;
+    std::string label;
+  };
+  std::vector<Arrow> arrows{{plane.of(v_A), "path", "v_A"}, {plane.of(v_B), "path", "v_B"}};
+  for (const bool is_right : {true, false}) {
+    const Json& answer = is_right ? right : found;
+    for (const char* key : {"v_A", "v_B", "v_load", "dp_AB"}) {
+      const auto x = numbers_of(answer.value(key, Json()));
+      if (answer.contains(key) && x && x->size() == v_A.size())
+        arrows.push_back({plane.of(*x), is_right ? "right" : "found", key});
+    }
+  }
+  double reach = 0;
+  for (const Arrow& arrow : arrows) reach = std::max(reach, std::hypot(arrow.to.x, arrow.to.y));
+  if (!(reach > 0) || !std::isfinite(reach)) return {};
+  Picture picture(reach);
+  for (const Arrow& arrow : arrows) picture.arrow(arrow.to, arrow.style, arrow.label);
+  return picture.svg();
+}
+
+std::string drawn(const Json& in, const Json& found, const Json& right) {
+  if (in.contains("scene")) return drawing_of_scene(in.at("scene"), found, right);
+  if (in.contains("bodies")) return drawing_of_group(in, found, right);
+  if (in.contains("first")) {
+    const Json none = Json::object();
+    return timing(Given(in.at("first")), none, none) + timing(Given(in.at("second")), none, none);
+  }
+  const Given given(in);
+  if (in.contains("L")) return timing(given, found, right);
+  return in.contains("u_A") ? impulse(given, found, right) : vectors(given, found, right);
+}
+
+/// An answer, or nothing where there is none to show.
+Json object_in(const std::string& text) {
+  const Json value = text.empty() ? Json() : Json::parse(text);
+  return value.is_object() ? value : Json::object();
 }
 
 }  // namespace
 
 std::string drawing_of(const Example& example) {
-  if (example.in.empty() || example.found.empty()) return {};
+  if (example.in.empty()) return {};
   try {
-    const Json in = Json::parse(example.in), found = Json::parse(example.found),
-               right = Json::parse(example.right);
-    if (!found.is_object() || !in.contains("u_A")) return {};
-    const Given given(in);
-    return in.contains("L") ? timing(given, found, right) : impulse(given, found, right);
+    return drawn(Json::parse(example.in), object_in(example.found), object_in(example.right));
   } catch (const std::exception&) {
-    return {};  // not a pair, or no numbers
+    return {};  // no numbers
   }
 }
 

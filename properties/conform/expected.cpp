@@ -79,10 +79,12 @@ void compare_numbers(const ExpectedNumbers& expected, const Json& given, const F
   if (!found || found->size() != expected.ends.size()) {
     comparison.numbers = comparison.within = comparison.nearest = false;
     if (comparison.problem.empty()) {
-      comparison.problem =
-          found
-              ? fmt::format("{} has {} numbers; it has {}", expected.key, found->size(), expected.ends.size())
-              : fmt::format("{} is {}, which is not a number", expected.key, tps::shown(given));
+      comparison.problem = found ? fmt::format("{} has {} numbers; it has {}", expected.key, found->size(),
+                                               expected.ends.size())
+                                 : fmt::format(
+                                       "{} is {}, which is not a number; a number is one of JSON, or a "
+                                       "hexadecimal float in a string",
+                                       expected.key, tps::shown(given));
     }
     return;
   }

@@ -15,8 +15,10 @@ struct Plan {
   std::uint64_t seed = 20260101;  ///< of the laws' cases
   std::vector<std::string> ops;   ///< only these; all where empty
   std::vector<std::string>
-      strata;                 ///< patterns of "op.stratum"; all where empty. With them no laws are asked
-  double shrink_seconds = 2;  ///< for all laws together
+      strata;  ///< patterns of "op.stratum"; all where empty. With them no laws are asked
+  std::vector<std::string> features;            ///< of scenes (random_scene.hpp)
+  std::uint64_t scenes = 100, first_scene = 0;  ///< whole runs: so many, from this number on
+  double shrink_seconds = 2;                    ///< for all laws together
   std::function<bool()> stops = [] { return false; };
   std::function<void(const std::string& doing)> progress = [](const std::string&) {};
 };
@@ -26,9 +28,12 @@ struct Plan {
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict);
 void ask_laws(Implementation& subject, const Plan& plan, Verdict& verdict);
 
-/// The part of the table that an operation belongs to.
+/// Whether a list of patterns has one that fits the name; all are wanted where it is empty.
+bool wanted(const std::vector<std::string>& list, const std::string& name);
+
+/// The part of the table that an operation belongs to. REQUIRES one of protocol::catalogue().
 std::string area_of(const std::string& op);
-/// The page of an operation.
+/// The page of an operation. REQUIRES the same.
 std::string page_of(const std::string& op);
 
 }  // namespace tps::properties::conform

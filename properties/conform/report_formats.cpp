@@ -44,7 +44,8 @@ Json environment_json(const Environment& e) {
           {"exact", known(e.exact)},
           {"flushes", known(e.flushes)},
           {"contracts", known(e.contracts)},
-          {"seconds", e.seconds}};
+          {"seconds", e.seconds},
+          {"cpu_seconds", e.cpu_seconds}};
 }
 
 const char* word_of(const Verdict& verdict) {

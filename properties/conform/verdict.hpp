@@ -64,7 +64,8 @@ struct Environment {
   std::optional<bool> exact = {};      ///< all bits of a number arrive
   std::optional<bool> flushes = {};    ///< subnormal numbers become zero
   std::optional<bool> contracts = {};  ///< products are fused with sums
-  double seconds = 0;                  ///< waiting for known answers
+  double seconds = 0;                  ///< of asking for known answers, by the clock
+  double cpu_seconds = 0;              ///< of them, those in which this process computed
 };
 
 struct Verdict {

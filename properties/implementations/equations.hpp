@@ -17,6 +17,7 @@
 #include "reference/equations/tether_response.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
+#include "verify/eval/operations.hpp"
 
 namespace tps::properties {
 
@@ -32,35 +33,52 @@ class Equations {
   Equations(const Json& in, int dimension) : in_(in), dimension_(dimension) {}
 
   Answer answer(const std::string& op) {
-    if (op == "distance")
-      out_["du"] =
-          hex(distance_after<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("dt")));
-    else if (op == "block_time")
-      time(block_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
-    else if (op == "tether_time")
-      time(tether_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
-    else if (op == "apply_impulse")
-      velocities(vec("dp"));
-    else if (op == "collision_impulse")
-      out_["dp"] = hex(collision_impulse<Scalar, D>(frame(), number("m_A"), number("m_B"), number("c")));
-    else if (op == "revolution_impulse")
-      revolve();
-    else if (op == "tether_response")
-      respond();
-    else if (op == "load")
-      out_["v_load"] = hex(load_velocity<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B")));
-    else if (op == "restitution_impulse")
-      out_["dp_AB"] = hex(
-          restitution_impulse<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B"), vec("dp")));
-    else if (op == "group")
-      group();
-    else
+    const eval::Operation* operation = eval::find_operation(op);
+    if (operation == nullptr ? op != "group" : operation->op == eval::Op::paper_time)
       return {Answer::Status::skipped, {}, "not among the equations"};
+    operation == nullptr ? group() : ask(operation->op);
     if (!refusal_.empty()) return {Answer::Status::refused, {}, refusal_};
     return {Answer::Status::answered, std::move(out_)};
   }
 
  private:
+  void ask(eval::Op op) {
+    using eval::Op;
+    switch (op) {
+      case Op::distance:
+        out_["du"] =
+            hex(distance_after<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("dt")));
+        break;
+      case Op::paper_time:
+        break;
+      case Op::block_time:
+        time(block_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
+        break;
+      case Op::tether_time:
+        time(tether_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L")));
+        break;
+      case Op::apply_impulse:
+        velocities(vec("dp"));
+        break;
+      case Op::collision_impulse:
+        out_["dp"] = hex(collision_impulse<Scalar, D>(frame(), number("m_A"), number("m_B"), number("c")));
+        break;
+      case Op::revolution_impulse:
+        revolve();
+        break;
+      case Op::tether_response:
+        respond();
+        break;
+      case Op::load:
+        out_["v_load"] = hex(load_velocity<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B")));
+        break;
+      case Op::restitution_impulse:
+        out_["dp_AB"] = hex(
+            restitution_impulse<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B"), vec("dp")));
+        break;
+    }
+  }
+
   static Scalar scalar(const Json& value) {
     const std::string& text = value.get_ref<const std::string&>();
     return static_cast<Scalar>(text == "inf" ? HUGE_VAL : parse_hex_float(text).value);

@@ -47,6 +47,7 @@ class Program final : public Implementation {
   Format format() const override { return Format::of_bits(bits_); }
   std::string given_up() const override { return given_up_; }
   std::optional<std::vector<std::string>> offered() const override { return offered_; }
+  std::vector<std::string> features() const override { return features_; }
   bool takes_outer_groups() const override { return takes_outer_groups_; }
 
   Answer ask(const Question& question) override {
@@ -159,12 +160,18 @@ class Program final : public Implementation {
 
   void read_offer(const Json& hello) {
     takes_outer_groups_ = hello.value("group", Json()) != "inner";
-    const auto ops = hello.find("ops");
-    if (ops == hello.end() || !ops->is_array()) return;
-    offered_.emplace();
-    for (const Json& op : *ops) {
-      if (op.is_string()) offered_->push_back(op.get<std::string>());
+    features_ = words_in(hello, "features").value_or(std::vector<std::string>());
+    offered_ = words_in(hello, "ops");
+  }
+
+  static std::optional<std::vector<std::string>> words_in(const Json& hello, const char* key) {
+    const auto list = hello.find(key);
+    if (list == hello.end() || !list->is_array()) return std::nullopt;
+    std::vector<std::string> words;
+    for (const Json& word : *list) {
+      if (word.is_string()) words.push_back(word.get<std::string>());
     }
+    return words;
   }
 
   static constexpr std::size_t kWindow = 256;
@@ -175,6 +182,7 @@ class Program final : public Implementation {
   ProgramOptions options_;
   int bits_ = 53;
   std::optional<std::vector<std::string>> offered_;
+  std::vector<std::string> features_;
   bool takes_outer_groups_ = true;
   std::uint64_t seq_ = 0;
   int hangs_ = 0, failures_in_a_row_ = 0;

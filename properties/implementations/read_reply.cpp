@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "reference/text/plain_json.hpp"
@@ -21,6 +22,43 @@ std::string words(const Json& value) {
   return value.is_string() ? printable(value.get_ref<const std::string&>(), kShown) : tps::shown(value);
 }
 
+/// Words for what JSON has no numbers for and many writers of JSON write all the same: NaN, Infinity. What is
+/// said is an answer, if a wrong one, and no breach of the protocol.
+std::string with_words_for_no_numbers(std::string_view line) {
+  std::string text;
+  bool in_string = false;
+  while (!line.empty()) {
+    std::size_t length = 1;
+    if (in_string && line[0] == '\\') {
+      length = 2;
+    } else if (line[0] == '"') {
+      in_string = !in_string;
+    } else if (!in_string) {
+      for (const std::string_view word : {"-Infinity", "Infinity", "-NaN", "NaN"}) {
+        if (!line.starts_with(word)) continue;
+        text += word.ends_with("NaN") ? "\"nan\"" : word[0] == '-' ? "\"-inf\"" : "\"inf\"";
+        line.remove_prefix(word.size());
+        length = 0;
+        break;
+      }
+    }
+    text += line.substr(0, length);
+    line.remove_prefix(std::min(length, line.size()));
+  }
+  return text;
+}
+
+/// Throws InputError.
+Json document_of(std::string_view line) {
+  try {
+    return parse_plain_json(line, "reply");
+  } catch (const InputError&) {
+    const std::string other = with_words_for_no_numbers(line);
+    if (other == line) throw;
+    return parse_plain_json(other, "reply");
+  }
+}
+
 }  // namespace
 
 std::string request_line(std::uint64_t seq, const Question& question) {
@@ -30,7 +68,7 @@ std::string request_line(std::uint64_t seq, const Question& question) {
 Answer read_reply(std::string_view line, std::uint64_t seq) {
   Json reply;
   try {
-    reply = parse_plain_json(line, "reply");
+    reply = document_of(line);
   } catch (const InputError& error) {
     const std::string problem = first_problem(error);
     return garbage(line, problem.find("not JSON") != std::string::npos ? "not JSON" : problem);

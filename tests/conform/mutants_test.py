@@ -17,11 +17,12 @@ import simulator_mutants
 
 
 def mutate(adapters, mutant):
-    path = adapters / mutant.file
-    text = path.read_text()
-    if text.count(mutant.old) != 1:
-        raise SystemExit(f"{mutant.name}: {mutant.file} has {text.count(mutant.old)} times: {mutant.old}")
-    path.write_text(text.replace(mutant.old, mutant.new))
+    for file, old, new in ((mutant.file, mutant.old, mutant.new), *getattr(mutant, "also", ())):
+        path = adapters / file
+        text = path.read_text()
+        if text.count(old) != 1:
+            raise SystemExit(f"{mutant.name}: {file} has {text.count(old)} times: {old}")
+        path.write_text(text.replace(old, new))
 
 
 def report_on(tps, source, mutant, program, *options):
@@ -42,7 +43,7 @@ def on_adapter(tps, source, mutant):
 
 
 def on_simulator(tps, source, mutant):
-    return report_on(tps, source, mutant, "paper_loop.py", "--ops", "simulate", "--features", mutant.features, "--scenes", str(mutant.scenes),
+    return report_on(tps, source, mutant, "paper_loop.py", "--ops", mutant.ops, "--features", mutant.features, "--scenes", str(mutant.scenes),
                      "--first-scene", str(mutant.first))
 
 

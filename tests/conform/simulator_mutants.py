@@ -1,4 +1,4 @@
-"""Wrong simulators, one switch each: a text of data/adapters/python that is replaced, and the row in which `tps conform` has to find it.
+"""Wrong simulators, one mistake each: a text of data/adapters/python that is replaced, and the row in which `tps conform` has to find it.
 
 SimulatorMutant(name, file, old, new, row, says): `row` must have an answer of class `kind`, and `says` be in what is said of it.
 """
@@ -17,18 +17,29 @@ class SimulatorMutant:
     first: int = 0  # the scene that shows it
     scenes: int = 1
     features: str = "no-groups,no-draws,no-phases,no-impulses"
+    ops: str = "simulate"
+    also: tuple = ()  # further texts that belong to the mistake, with what replaces them
 
 
 S, L, R, T, P = "pairs.py", "paper_loop.py", "responses.py", "timing.py", "protocol.py"
 NEXT = 't, _, _, limit, i, j = min(times, default=(math.inf, 0, 0, "", 0, 0))'
 FREE = "u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]"
 BREAKS = 'breaks = rule == "always" or isinstance(rule, dict) and math.sqrt(dot(out["dp"], out["dp"])) > rule["impulse_above"]'
+PREDICTED = """def predicted(pairs, i, j):
+    if (i, j) not in pairs.ahead:
+        pairs.ahead[i, j] = [(t, limit) for t, limit in pairs.due(i, j) if t is not None]
+    return pairs.ahead[i, j]
+
+
+"""
+PASSED = "pairs.ahead = {pair: [(when - t, which) for when, which in ahead] for pair, ahead in pairs.ahead.items() if pair != (i, j)}"
+RESPONDS = "    kind, dp, tether = pairs.respond(i, j, limit)\n"
 RECORDED = '**({"tether": tether} if tether else {})}'
 
 WRONG = [
     SimulatorMutant("a_pair_forgotten", L, "for i, j in pairs.laws for", "for i, j in list(pairs.laws)[1:] for", says="was due"),
     SimulatorMutant("late_by_1e-13", L, "clock + t, events + 1", "clock + t * (1 + 1e-13), events + 1", says="contact"),
-    SimulatorMutant("missed_where_two_are_near", L, NEXT, "times.sort(); near = len(times) > 1 and 0 < times[1][0] - times[0][0] < 1e-9\n        "
+    SimulatorMutant("missed_where_two_are_near", L, NEXT, "times.sort(); near = len(times) > 1 and 0 < times[1][0] - times[0][0] < 1e-9\n    "
                     't, _, _, limit, i, j = times[int(near)] if times else (math.inf, 0, 0, "", 0, 0)', first=102),
     SimulatorMutant("formed_not_recorded", L, RECORDED, '**({"tether": tether} if tether == "broken" else {})}', "run.rebound", "tethers"),
     SimulatorMutant("recorded_not_formed", L, "if tether:", 'if tether == "broken":', "run.whole"),
@@ -55,11 +66,21 @@ WRONG = [
     SimulatorMutant("ten_digits", L, 'yield {"t": clock, **event', 'yield {"t": float(f"{clock:.9e}"), **event'),
     SimulatorMutant("velocities_swapped", L, 'pairs.v[i], pairs.v[j] = apply', 'pairs.v[j], pairs.v[i] = apply'),
     SimulatorMutant("answers_again", L, "pairs.answered.add((i, j, limit))", "pass"),
-    SimulatorMutant("refuses_scenes", L, "{\"trace\": list(run(scene, max_events))}})", "{\"trace\": list(run(scene, max_events))} if len(scene[\"particles\"]) < 4 else 1 / 0})",
+    SimulatorMutant("refuses_scenes", L, "{\"trace\": list(run(scene, max_events))}", "{\"trace\": list(run(scene, max_events))} if len(scene[\"particles\"]) < 4 else 1 / 0",
                     kind="REFUSED"),
-    SimulatorMutant("knows_no_groups", L, "import json\n", "import json\n", "run.rebound", "load", features="groups,no-draws,no-phases,no-impulses"),
-    SimulatorMutant("knows_no_phases", L, "import json\n", "import json\n", says="phase", features="no-groups,no-draws,no-impulses", first=2),
-    SimulatorMutant("knows_no_impulses", L, "import json\n", "import json\n", says="impulse", features="no-groups,no-draws,no-phases"),
+    SimulatorMutant("third_particle_not_predicted_again", L, "for t, limit in pairs.due(i, j) if t is not None", "for t, limit in predicted(pairs, i, j)",
+                    first=1, also=((S, "        self.answered = set()", "        self.ahead, self.answered = {}, set()"),
+                                   (L, "def first_due(pairs):\n", PREDICTED + "def first_due(pairs):\n"),
+                                   (L, RESPONDS, "    " + PASSED + "\n" + RESPONDS))),
+    SimulatorMutant("steps_without_the_others", L, FREE, FREE.replace("zip(pairs.u, pairs.v)]", "zip(pairs.u[:2], pairs.v)] + pairs.u[2:]"),
+                    "next_event.step_rebound", "flies to", ops="next_event"),
+    SimulatorMutant("steps_to_the_last", L, "min(times, default", "max(times, default", "next_event.step_rebound", "was due", ops="next_event"),
+    SimulatorMutant("steps_late_by_1e-12", L, '"dt": t,', '"dt": t * (1 + 1e-12),', "next_event.step_rebound", ops="next_event"),
+    SimulatorMutant("steps_only_soon", L, 'if t == math.inf else {"dt"', 'if t > 0.5 else {"dt"', "next_event.step_rebound", "was due", ops="next_event"),
+    SimulatorMutant("steps_without_tethers", L, RECORDED, "", "next_event.step_rebound", "tethers", ops="next_event"),
+    SimulatorMutant("knows_no_groups", L, '"no-groups", ', "", "run.rebound", "load", features="groups,no-draws,no-phases,no-impulses"),
+    SimulatorMutant("knows_no_phases", L, '"no-phases", ', "", says="phase", features="no-groups,no-draws,no-impulses", first=2),
+    SimulatorMutant("knows_no_impulses", L, ', "no-impulses"', "", says="impulse", features="no-groups,no-draws,no-phases"),
 ]
 
 RIGHT = [

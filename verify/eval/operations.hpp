@@ -36,7 +36,10 @@ struct Operation {
   std::string_view equation;  ///< "(4)"
   std::string_view what;
   std::vector<std::string> keys;
-  bool needs_axis = false;  ///< û is needed: the positions must differ
+  std::string_view part;     ///< of the system: "equations", "timing", "response"
+  std::string_view page;     ///< of docs/
+  bool needs_axis = false;   ///< û is needed: the positions must differ
+  bool is_certified = true;  ///< the protocol answers it
 };
 
 const std::vector<Operation>& operations();

@@ -12,8 +12,10 @@
 #include "verify/certified/next_event_input.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/protocol/catalogue.hpp"
 #include "verify/protocol/json_text.hpp"
 #include "verify/protocol/read_input.hpp"
+#include "verify/protocol/simulate.hpp"
 
 namespace tps::protocol {
 namespace {
@@ -149,10 +151,13 @@ std::string next_event(const JsonValue& in, const Place& place) {
 }  // namespace
 
 const std::vector<std::string>& operation_names() {
-  static const std::vector<std::string> names{
-      "block_time",         "tether_time",     "order", "apply_impulse",       "collision_impulse",
-      "revolution_impulse", "tether_response", "load",  "restitution_impulse", "group",
-      "next_event"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& entry : catalogue()) {
+      if (entry.is_answered) all.emplace_back(entry.name);
+    }
+    return all;
+  }();
   return names;
 }
 
@@ -168,6 +173,7 @@ std::string answer(std::string_view name, const JsonValue& in, const std::string
   if (name == "order") return answer_order(read_order(in, place));
   if (name == "group") return group(in, place);
   if (name == "next_event") return next_event(in, place);
+  if (name == "simulate") return simulate(in, place);
   const eval::Operation& operation = *eval::find_operation(name);
   if (operation.op == eval::Op::block_time) return timing(exact::Kind::block, operation, in, place);
   if (operation.op == eval::Op::tether_time) return timing(exact::Kind::tether, operation, in, place);

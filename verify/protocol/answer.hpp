@@ -10,7 +10,7 @@
 
 namespace tps::protocol {
 
-/// The operations that answer() knows, in the order of the paper.
+/// The operations that answer() knows: those of numbers in the order of the paper, then the others.
 const std::vector<std::string>& operation_names();
 
 /// The result of an operation as the text of a JSON object, numbers as hexadecimal floats.

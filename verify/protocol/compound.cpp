@@ -76,10 +76,15 @@ void flatten(const JsonValue& value, const std::string& name, eval::Report& repo
 const std::vector<Compound>& compounds() {
   static const std::vector<Compound> table{
       {"order", "which of two events comes first",
-       R"({"first":{"kind":"block"|"tether",u_A,u_B,v_A,v_B,L},"second":…})", "certified"},
+       R"({"first":{"kind":"block"|"tether",u_A,u_B,v_A,v_B,L},"second":…})", "certified", "order",
+       "docs/exact.md"},
       {"group", "velocities of bodies grouped by collisions, eqs. (3)-(7)",
-       R"({"bodies":[{m,u,v},…],"collisions":[{i,j,"limit":"inner",c},…]})", "certified"},
-      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "certified"},
+       R"({"bodies":[{m,u,v},…],"collisions":[{i,j,"limit":"inner",c},…]})", "certified", "grouping",
+       "docs/protocol.md"},
+      {"next_event", "the next event of a scene and the state after it", R"({"scene":…})", "certified",
+       "engine", "docs/protocol.md"},
+      {"simulate", "the trace of a scene's run", R"({"scene":…,"max_events":…})", "double, certified timing",
+       "whole runs", "docs/check.md"},
   };
   return table;
 }

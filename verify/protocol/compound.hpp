@@ -1,4 +1,5 @@
-// Operations whose input is more than a list of numbers, as `tps eval` has them: order, group and next_event.
+// Operations whose input is more than a list of numbers, as `tps eval` has them: order, group, next_event and
+// simulate.
 #pragma once
 
 #include <string>
@@ -16,6 +17,8 @@ struct Compound {
   std::string_view what;
   std::string_view input;  ///< the shape of the object, for people
   std::string_view precision;
+  std::string_view part;  ///< of the system: "order", "grouping", "engine", "whole runs"
+  std::string_view page;  ///< of docs/
 };
 
 const std::vector<Compound>& compounds();

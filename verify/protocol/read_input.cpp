@@ -165,19 +165,41 @@ certified::GroupInput read_group(const JsonValue& in, const Place& place) {
   return group;
 }
 
-Scene read_next_event(const JsonValue& in, const Place& place) {
+namespace {
+
+Scene read_scene_in(const JsonValue& in, const Place& place) {
   const JsonValue& value = member(in, "scene", place);
-  require_keys(in, {"scene"}, place);
   const Place here = inside(place, "scene");
   const JsonValue* particles = value.find("particles");
   if (particles != nullptr && particles->array() != nullptr &&
       particles->array()->size() > certified::kMostParticles) {
     refuse(*particles, inside(here, "particles"),
-           fmt::format(
-               "has {} entries; the certified next event takes at most {} particles; `tps run` takes any",
-               particles->array()->size(), certified::kMostParticles));
+           fmt::format("has {} entries; the protocol takes at most {} particles; `tps run` takes any",
+                       particles->array()->size(), certified::kMostParticles));
   }
   return read_scene_value(value, here.source, here.pointer);
+}
+
+}  // namespace
+
+Scene read_next_event(const JsonValue& in, const Place& place) {
+  Scene scene = read_scene_in(in, place);
+  require_keys(in, {"scene"}, place);
+  return scene;
+}
+
+SimulateInput read_simulate(const JsonValue& in, const Place& place) {
+  SimulateInput input{read_scene_in(in, place)};
+  require_keys(in, {"scene", "max_events"}, place);
+  const JsonValue* most = in.find("max_events");
+  if (most == nullptr) return input;
+  const double n = most->number() != nullptr ? most->number()->value : 0;
+  if (!(n >= 1 && n <= static_cast<double>(kMostEvents)) || std::trunc(n) != n) {
+    refuse(*most, inside(place, "max_events"),
+           fmt::format("must be an integer from 1 to {}; `tps run` takes any", kMostEvents));
+  }
+  input.max_events = static_cast<std::uint64_t>(n);
+  return input;
 }
 
 }  // namespace tps::protocol

@@ -1,6 +1,7 @@
 // The input of operations that is more than a list of numbers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,17 @@ certified::GroupInput read_group(const JsonValue& in, const Place& place);
 
 /// {"scene":{…}}. Throws InputError.
 Scene read_next_event(const JsonValue& in, const Place& place);
+
+/// A reply is one line, so that a run in it has an end.
+constexpr std::uint64_t kMostEvents = 1000;
+
+struct SimulateInput {
+  Scene scene;
+  std::uint64_t max_events = kMostEvents;
+};
+
+/// {"scene":{…},"max_events":n}, the latter from 1 to kMostEvents, which it is where it is left out. Throws
+/// InputError.
+SimulateInput read_simulate(const JsonValue& in, const Place& place);
 
 }  // namespace tps::protocol

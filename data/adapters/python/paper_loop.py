@@ -1,7 +1,8 @@
 """The paper's loop: find the next collision of any pair, advance everybody, respond.
 
-python3 paper_loop.py SCENE > TRACE, or without a scene as the operation `simulate` of the protocol. It knows blocking, tethering, infinite
-masses, tethers that form and break by rules without a draw; it does not know grouping, phases, impulses from outside.
+python3 paper_loop.py SCENE > TRACE, or without a scene as the operations `simulate` and `next_event` of the protocol. It knows
+blocking, tethering, infinite masses, tethers that form and break by rules without a draw; it does not know grouping, phases,
+impulses from outside.
 """
 import json
 import math
@@ -17,22 +18,37 @@ def run(scene, max_events=math.inf):
     pairs, duration, clock, events, still = Pairs(scene), read(scene["duration"]), 0.0, 0, 0
     yield {"trace": 1, "form": "minimal", "positions": "eager", "scene": scene}
     while still <= 10000 + len(pairs.u) * (len(pairs.u) - 1) // 2:
-        times = [(t, pairs.ids[i], pairs.ids[j], limit, i, j) for i, j in pairs.laws for t, limit in pairs.due(i, j) if t is not None]
-        t, _, _, limit, i, j = min(times, default=(math.inf, 0, 0, "", 0, 0))
+        t, limit, i, j = first_due(pairs)
         if t == math.inf:
             return (yield {"end": "no_more_events", "events": events, "t": clock})
         if events >= max_events:
             return (yield {"end": "max_events", "events": events, "t": clock})
         if clock + t > duration:
             return (yield {"end": "duration", "events": events, "t": duration})
-        pairs.u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]
         still = still + 1 if clock + t == clock else 0
         clock, events = clock + t, events + 1
-        yield {"t": clock, **event(pairs, i, j, limit)}
+        yield {"t": clock, **event(pairs, t, limit, i, j)}
     yield {"end": "stalled", "events": events, "t": clock}
 
 
-def event(pairs, i, j, limit):
+def next_event(scene):
+    """What happens first, and where everybody is then."""
+    pairs = Pairs(scene)
+    t, limit, i, j = first_due(pairs)
+    happens = {"kind": "none"} if t == math.inf else {"dt": t, **event(pairs, t, limit, i, j)}
+    state = [{"id": n, "position": u, "velocity": v} for n, u, v in zip(pairs.ids, pairs.u, pairs.v)]
+    return {**{key: value for key, value in happens.items() if key != "post"}, "state": state}
+
+
+def first_due(pairs):
+    times = [(t, pairs.ids[i], pairs.ids[j], limit, i, j) for i, j in pairs.laws for t, limit in pairs.due(i, j) if t is not None]
+    t, _, _, limit, i, j = min(times, default=(math.inf, 0, 0, "", 0, 0))
+    return t, limit, i, j
+
+
+def event(pairs, t, limit, i, j):
+    """Everybody flies for t, then the pair responds."""
+    pairs.u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]
     kind, dp, tether = pairs.respond(i, j, limit)
     pairs.v[i], pairs.v[j] = apply_impulse(pairs.m[i], pairs.m[j], pairs.v[i], pairs.v[j], dp).values()
     if any(dp):
@@ -49,4 +65,5 @@ if __name__ == "__main__":
         for line in run(json.load(open(sys.argv[1], encoding="utf-8"))):
             print(json.dumps(line))
     else:
-        serve("the paper's loop", {"simulate": lambda scene, max_events: {"trace": list(run(scene, max_events))}})
+        serve("the paper's loop", {"simulate": lambda scene, max_events: {"trace": list(run(scene, max_events))}, "next_event": next_event},
+              features=["no-groups", "no-draws", "no-phases", "no-impulses"])

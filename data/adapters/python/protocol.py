@@ -32,11 +32,12 @@ def reply(request, operations):
     return {"out": written(out)}
 
 
-def serve(name, operations, bits=53):
+def serve(name, operations, bits=53, **more):
+    """`more` goes into the answer to hello: features=[…], what its questions have and have not."""
     for line in sys.stdin:
         request = json.loads(line)
         if "bye" in request:
             return
-        hello = {"name": name, "ops": list(operations), "bits": bits}
+        hello = {"name": name, "ops": list(operations), "bits": bits, **more}
         answer = hello if "hello" in request else {"seq": request["seq"], **reply(request, operations)}
         print(json.dumps(answer), flush=True)

@@ -8,7 +8,7 @@ class Laws:
         self.species = scene["species"]
         self.particles = sorted(scene["particles"], key=lambda p: p["id"])
         self.index = {p["id"]: n for n, p in enumerate(self.particles)}
-        self.table = {frozenset(pair["between"]): pair for pair in scene["pairs"]}
+        self.table = {frozenset(pair["between"]): pair for pair in scene.get("pairs", [])}
         self.open = [False] * len(scene.get("phases", []))
         self.changes = self.known_changes()
         impulses = sorted(scene.get("impulses", []), key=lambda j: (j["at"], j["particle"]))

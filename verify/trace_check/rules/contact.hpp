@@ -158,10 +158,9 @@ void judge_approach(const Context<Number>& c, const EventLine<Number>& event, co
   const bool outer = event.kind != Kind::rebound;
   const W v_n = b.v_n();
   const W wrong_way = outer ? W(-v_n) : v_n;
-  const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
-  const W unit = length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) +
-                 c.model.precision.smallest;
-  c.tally.within(Rule::contact, std::max(0.0, as_double(W(wrong_way / unit))), 8, [&](Finding& f) {
+  const W unit = unit_of_v_n(c, event, b);
+  const double off = std::max(0.0, as_double(W(wrong_way / unit)));
+  c.tally.within(Rule::contact, off, kRoundingsOfApproach, [&](Finding& f) {
     f.message = fmt::format("{} {} at its {} limit, v_n = {}", c.pair(b.i, b.j),
                             outer ? "approaches" : "separates", outer ? "outer" : "inner", shown(v_n));
     f.equation = "(4)";

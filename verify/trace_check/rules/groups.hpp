@@ -14,7 +14,15 @@ bool is_load(const Context<Number>& c, const EventLine<Number>& event,
              const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
   if (!c.model.scene.grouping || event.kind == Kind::broken) return false;
-  return c.minimal ? largest(expected.response.dp) > W(0) : !event.members.empty();
+  if (!c.minimal) return !event.members.empty();
+  if (largest(expected.response.dp) > W(4) * expected.response.error) return true;
+  // A minimal trace says it by velocities: one for both, where there were two.
+  const auto velocity = [&](int n, bool after) {
+    const InvolvedParticle<Number>* p = after ? event.of(n) : nullptr;
+    return p != nullptr ? p->velocity_after : c.model.flight(n).velocity;
+  };
+  return velocity(event.i, true) == velocity(event.j, true) &&
+         velocity(event.i, false) != velocity(event.j, false);
 }
 
 /// The members of a body have one velocity, to the last bit.
@@ -100,7 +108,7 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
     c.tally.demand(Rule::bystanders, false, [&](Finding& f) {
       f.particles = {model.id(p.particle)};
       f.message = fmt::format("particle {} has no part in the event, but is listed", model.id(p.particle));
-      if (with_wall) f.reading = readings::kWallInTree;
+      if (with_wall || (model.scene.grouping && model.fixed(p.particle))) f.reading = readings::kWallInTree;
     });
   }
   if (!collides || event.kind == Kind::broken) return;

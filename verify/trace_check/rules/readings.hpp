@@ -3,6 +3,7 @@
 #pragma once
 
 #include "verify/trace_check/context.hpp"
+#include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/responses.hpp"
 
 namespace tps::check {
@@ -25,6 +26,18 @@ inline constexpr const char* kNoPull =
 
 }  // namespace readings
 
+constexpr int kRoundingsOfApproach = 8;
+
+/// Eight of these are what rounding may make of v_n at a limit, where it should be 0.
+template <typename Number>
+Work<Number> unit_of_v_n(const Context<Number>& c, const EventLine<Number>& event,
+                         const BodiesNow<Number>& b) {
+  using W = Work<Number>;
+  const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
+  return length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) +
+         c.model.precision.smallest;
+}
+
 /// The reading by which a recorded Δp is right; empty if none is known.
 template <typename Number>
 std::string reading_of_impulse(const Context<Number>& c, const EventLine<Number>& event,
@@ -41,7 +54,8 @@ std::string reading_of_impulse(const Context<Number>& c, const EventLine<Number>
     rules.speed_ratio = W(rules.c_revolve) * W(rules.theta_deg) / W(180);
     if (is(by_eq5(b, rules, c.u()))) return readings::kProduct;
   }
-  if (event.kind == Kind::revolve && b.v_n() < W(0) && length(dp) == W(0)) return readings::kNoPull;
+  const bool may_approach = b.v_n() < W(kRoundingsOfApproach) * unit_of_v_n(c, event, b);
+  if (event.kind == Kind::revolve && may_approach && length(dp) == W(0)) return readings::kNoPull;
   const bool outer = event.kind != Kind::rebound;
   if (event.kind != Kind::revolve &&
       is(by_eq4(b, outer ? rules.c_retract : rules.c_rebound, !outer, c.u()))) {
@@ -63,11 +77,15 @@ std::string reading_of_velocities(const Context<Number>& c, const EventLine<Numb
   return reading_of_impulse(c, event, b, expected, W(of_i ? mass : W(-mass)) * (after - before), rounding);
 }
 
-/// Of a contact that is at the limit at another time than it should be, or that comes again.
+/// Of a pair that has rebounded and does so again. At once, and although it separates: the root 0 of its own
+/// contact. While it approaches, if only by rounding, it has been asked again.
 template <typename Number>
 std::string reading_of_repeat(const Context<Number>& c, const EventLine<Number>& event) {
+  using W = Work<Number>;
   const bool at_once = event.t == c.model.flight(event.i).since || event.t == c.model.flight(event.j).since;
-  return at_once ? readings::kLiteralRoot : readings::kRespondsAgain;
+  const RelativeFlight<W> pair = pair_flight(c.model, event.i, event.j).relative();
+  const bool separates = dot(pair.r, pair.v) >= W(0);
+  return at_once && separates ? readings::kLiteralRoot : readings::kRespondsAgain;
 }
 
 /// Of a body that parts at another time than its own: because all that is loaded against one wall waits for

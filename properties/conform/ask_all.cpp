@@ -1,0 +1,82 @@
+#include "properties/conform/ask_all.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "properties/conform/ask_runs.hpp"
+#include "properties/conform/ask_steps.hpp"
+#include "properties/conform/random_scene.hpp"
+#include "properties/implementations/program.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+bool has(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// What hello says of its questions is added to the plan.
+Plan within_capabilities(const Implementation& subject, const Plan& plan, Verdict& verdict) {
+  Plan taken = plan;
+  const std::vector<std::string> features = subject.features();
+  if (features.empty()) return taken;
+  try {
+    check_features(features);
+  } catch (const std::invalid_argument& error) {
+    throw ProgramError(fmt::format("{}: features in the answer to hello: {}", subject.name(), error.what()));
+  }
+  verdict.notes["says what it takes"] =
+      fmt::format("{}; other questions were not asked", fmt::join(features, ", "));
+  taken.features.insert(taken.features.begin(), features.begin(), features.end());
+  return taken;
+}
+
+/// States of scenes are doubles.
+constexpr int kBitsOfStates = 53;
+
+void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict) {
+  const auto offered = subject.offered();
+  if (offered ? !has(*offered, kNextEvent) : has(verdict.not_offered, kNextEvent)) return;
+  if (!wanted(plan.ops, kNextEvent) || subject.format().bits < kBitsOfStates) return;
+  StepPlan steps;
+  steps.features = plan.features;
+  if (plan.level == 1) steps.scenes = steps.steps = 10;
+  steps.is_asked = [&plan](const std::string& row) { return wanted(plan.strata, row); };
+  steps.stops = plan.stops;
+  steps.progress = plan.progress;
+  ask_steps(subject, steps, verdict);
+}
+
+bool simulates(const Implementation& subject, const Plan& plan) {
+  const auto offered = subject.offered();
+  return offered && has(*offered, kSimulate) && plan.strata.empty() &&
+         (plan.ops.empty() || has(plan.ops, kSimulate));
+}
+
+}  // namespace
+
+void ask_simulator(RunSource source, const Plan& plan, Verdict& verdict) {
+  RunPlan runs;
+  runs.source = std::move(source);
+  runs.features = plan.features;
+  runs.scenes = plan.scenes;
+  runs.first = plan.first_scene;
+  runs.stops = plan.stops;
+  runs.progress = plan.progress;
+  ask_runs(runs, verdict);
+}
+
+void ask_all(Implementation& subject, const Plan& plan, Verdict& verdict) {
+  const Plan taken = within_capabilities(subject, plan, verdict);
+  ask_known_answers(subject, taken, verdict);
+  ask_next_events(subject, taken, verdict);
+  if (plan.strata.empty()) ask_laws(subject, taken, verdict);
+  if (simulates(subject, taken)) ask_simulator(operation_runs(subject), taken, verdict);
+  if (const std::string why = subject.given_up(); !why.empty())
+    verdict.notes["given up"] = why + "; what follows was not asked";
+}
+
+}  // namespace tps::properties::conform

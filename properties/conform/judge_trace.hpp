@@ -1,0 +1,22 @@
+// What the trace check says of a run, in the classes of a verdict.
+#pragma once
+
+#include <string>
+
+#include "properties/conform/answer_class.hpp"
+#include "verify/trace_check/check.hpp"
+
+namespace tps::properties::conform {
+
+/// OTHER READING where the paper is silent and the check names the decision (docs/decisions.md, N104).
+Class class_of(const check::Finding& finding);
+std::string words_of(const check::Finding& finding);
+
+/// Every finding on a trace, full or minimal. `scene` is the text of a scene file. Throws InputError where it
+/// is no trace.
+check::CheckReport checked(const std::string& scene, const std::string& trace);
+
+/// The worst of a report, null where nothing was found.
+const check::Finding* worst_of(const check::CheckReport& report);
+
+}  // namespace tps::properties::conform
