@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A right simulator that decides otherwise where the paper is silent (docs/decisions.md): `tps conform` calls it so, and not wrong.
+"""A right simulator that decides otherwise where the paper is silent (docs/decisions.md): `tps conform` calls it so, and not wrong. And two
+that are wrong about groups, of which the paper's examples say enough.
 
   other_readings.py READING SCENE > TRACE, READING one of READINGS
 
@@ -64,7 +65,21 @@ class DoesNotPull(Honesty):
             hit.dp, hit.answered = tuple(0.0 for _ in hit.dp), False
 
 
-READINGS = {"none": Honesty, "D9": WallJoins, "D11": AsksAgain, "D12": Attracts, "D13": LastOfTies, "D16": DoesNotPull}
+class OwnExpiry(Honesty):
+    """D10: a later load does not renew the expiry of the tree that it joins."""
+
+    def expiry(self, sim, hit, expiry):
+        return min([body.expiry for i in (hit.i, hit.j) if (body := sim.forest.body(i))], default=expiry)
+
+
+class LeavesFirst(Honesty):
+    """Restitutes the first load first."""
+
+    def unwinding(self, sim, body, nodes):
+        return nodes[::-1]
+
+
+READINGS = {"none": Honesty, "D9": WallJoins, "D11": AsksAgain, "D12": Attracts, "D13": LastOfTies, "D16": DoesNotPull, "expiry": OwnExpiry, "unwinding": LeavesFirst}
 
 
 def main():

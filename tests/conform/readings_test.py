@@ -45,6 +45,21 @@ class Readings(unittest.TestCase):
         self.named("D16", "no-phases,no-impulses,no-groups", 478)
 
 
+class Mistakes(unittest.TestCase):
+    FEATURES = "groups,no-phases,no-impulses,no-draws"
+
+    def test_an_expiry_that_is_not_renewed_is_wrong_by_d10(self):
+        code, found = verdict("expiry", self.FEATURES, 0, 10)
+        self.assertEqual(code, 1)
+        self.assertGreater(found["classes"]["WRONG"], 0)
+        self.assertIn("D10:", json.dumps(found["rows"]))
+
+    def test_restitution_in_the_order_of_loads_is_wrong(self):
+        code, found = verdict("unwinding", self.FEATURES, 0, 10)
+        self.assertEqual(code, 1)
+        self.assertGreater(next(row for row in found["rows"] if row["name"] == "run.restitute")["classes"]["WRONG"], 0)
+
+
 class Loads(unittest.TestCase):
     def test_who_sees_the_other_sign_of_a_vanishing_v_n_does_not_load(self):
         """Scene 22: v_n is below rounding at the first event; the reference loads, this simulator does not."""

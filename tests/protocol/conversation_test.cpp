@@ -131,6 +131,25 @@ TEST(Conversation, TheNextEventOfAScene) {
   EXPECT_FALSE(event.contains("i"));
 }
 
+TEST(Conversation, TheRunOfAScene) {
+  std::ifstream file(TPS_SOURCE_DIR "/data/scenes/three-body.json");
+  json scene = json::parse(file);
+  const json all = out("simulate", {{"scene", scene}})["trace"];
+  EXPECT_EQ(all.front()["trace"], 1);
+  EXPECT_EQ(all.front()["options"]["timing"], "certified");
+  EXPECT_EQ(all.back()["end"], "duration");
+  const json first = out("simulate", {{"scene", scene}, {"max_events", 1}})["trace"];
+  EXPECT_EQ(first.back()["end"], "max_events");
+  EXPECT_EQ(first.back()["events"], 1);
+  EXPECT_LT(first.size(), all.size());
+  for (const json& wrong : {json(0), json(1001), json(1.5), json("2")}) {
+    const json answer = out("simulate", {{"scene", scene}, {"max_events", wrong}});
+    EXPECT_NE(answer["message"].get<std::string>().find("/in/max_events"), std::string::npos) << answer;
+  }
+  scene["observe"] = {{"clusters", {{"species", scene["species"].begin().key()}}}, {"every", 1}};
+  EXPECT_TRUE(out("simulate", {{"scene", scene}}).contains("message"));
+}
+
 struct Refused {
   const char* line;
   const char* kind;
@@ -175,6 +194,7 @@ TEST(Conversation, SaysWhatIsWrong) {
        "bad_input", "/in/collisions/0: bodies 0 and 0 are in one group"},
       {R"({"seq":1,"op":"next_event","in":{"scene":{"tps":1}}})", "bad_input", "/in/scene"},
       {R"({"seq":1,"op":"next_event","in":{}})", "bad_input", "scene"},
+      {R"({"seq":1,"op":"simulate","in":{"scene":{"tps":1}}})", "bad_input", "/in/scene"},
   };
   for (const Refused& refused : cases) {
     const json answer = reply(refused.line);

@@ -191,6 +191,12 @@ Scene read_next_event(const JsonValue& in, const Place& place) {
 SimulateInput read_simulate(const JsonValue& in, const Place& place) {
   SimulateInput input{read_scene_in(in, place)};
   require_keys(in, {"scene", "max_events"}, place);
+  if (input.scene.clusters) {
+    refuse(
+        *in.find("scene"), inside(place, "scene/observe"),
+        "a reply is a trace, which has no samples, however many a scene asks for; leave observe out, or use "
+        "`tps run`");
+  }
   const JsonValue* most = in.find("max_events");
   if (most == nullptr) return input;
   const double n = most->number() != nullptr ? most->number()->value : 0;
