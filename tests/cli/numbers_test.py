@@ -10,7 +10,7 @@ import tempfile
 
 import processes
 
-BAD_NUMBERS = ["nan", "NAN", "-nan", "nan(1)", "-inf", "-1", "1e400", "-1e400", "", " ", "x", "1x", "0x", "1,5", "1e", "--", "٣", "99999999999999999999999"]
+BAD_NUMBERS = ["nan", "NAN", "-nan", "nan(1)", "-inf", "-2", "1e400", "-1e400", "", " ", "x", "1x", "0x", "1,5", "1e", "--", "٣", "99999999999999999999999"]
 MAYBE = {"inf", "0", "1e308", "1e-320", "18446744073709551615", "0x1p3"}  # taken by some, refused by others
 # Options whose values are words or names, of files and the like; all others are numbers.
 WORDS = {"-h", "--help", "--version", "-o", "--output", "--format", "--checkpoint", "--resume", "--scene", "--witness", "--law", "--library", "--regressions",

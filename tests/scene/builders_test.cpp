@@ -120,7 +120,7 @@ TEST(Builders, OptionsDescribeThemselves) {
           << builder.name << " --" << option.name;
       EXPECT_THROW(builder.build({{option.name, "nonsense"}}), std::invalid_argument);
       EXPECT_THROW(builder.build({{option.name, "nan"}}), std::invalid_argument);
-      EXPECT_THROW(builder.build({{option.name, "-1"}}), std::invalid_argument);
+      EXPECT_THROW(builder.build({{option.name, "-2"}}), std::invalid_argument);  // −1 is a β₀
     }
   }
 }

@@ -64,7 +64,7 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
   // A pair that is all but at its limit: where it meets it is rounding of places, of which an ulp of the time
   // is no measure.
-  if (ulp * W(1024) < rounding) return;
+  if (ulp * W(1 << 20) < rounding) return;
   c.tally.residual("time", as_double(t), as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
 }
 
