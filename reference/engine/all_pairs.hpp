@@ -20,7 +20,7 @@ class AllPairs final : public Detector<Scalar, D> {
   void predict_all(World<Scalar, D>& world) override {
     queue_ = {};
     for (int i = 0; i < world.size(); ++i) {
-      for (int j = i + 1; j < world.size(); ++j) predict(world, i, j);
+      for (int j = i + 1; j < world.size(); ++j) predict(world, i, j, world.now);
     }
   }
 
@@ -31,19 +31,19 @@ class AllPairs final : public Detector<Scalar, D> {
     for (const int i : touched) {
       for (int j = 0; j < world.size(); ++j) {
         if (j == i || (j < i && is_touched_[static_cast<std::size_t>(j)])) continue;
-        predict(world, std::min(i, j), std::max(i, j));
+        predict(world, std::min(i, j), std::max(i, j), world.now);
       }
     }
   }
 
-  Time<Scalar> earliest(World<Scalar, D>& world, const Time<Scalar>&) override {
-    const Event* event = next(world);
+  Time<Scalar> earliest(World<Scalar, D>& world, const Time<Scalar>& limit) override {
+    const Event* event = next(world, limit);
     return event != nullptr ? event->time : Time<Scalar>::never();
   }
 
   void collect(World<Scalar, D>& world, const Time<Scalar>& latest, std::vector<Event>& events) override {
     const auto first = static_cast<std::ptrdiff_t>(events.size());
-    while (const Event* event = next(world)) {
+    while (const Event* event = next(world, latest)) {
       if (latest < event->time) break;
       events.push_back(*event);
       queue_.pop();
@@ -52,14 +52,32 @@ class AllPairs final : public Detector<Scalar, D> {
   }
 
  private:
-  const Event* next(const World<Scalar, D>& world) {
-    return queue_.next([&](const Event& event) { return world.is_live(event); });
+  /// What is first in the queue. A look up to `limit` is done instead: the pair is asked anew.
+  const Event* next(const World<Scalar, D>& world, const Time<Scalar>& limit) {
+    while (true) {
+      const Event* first = queue_.next([&](const Event& event) { return world.is_live(event); });
+      if (first == nullptr || first->effect != kLook || limit < first->time) return first;
+      const Event look = *first;
+      queue_.pop();
+      predict(world, look.first, look.second, look.time);
+    }
   }
 
-  void predict(const World<Scalar, D>& world, int i, int j) {
-    const std::optional<Event> event = predictor_.earliest(world, i, j);
+  /// In a periodic box the nearest image at t counts until another one can be met; what comes later is asked
+  /// then.
+  void predict(const World<Scalar, D>& world, int i, int j, const Time<Scalar>& t) {
+    const std::optional<Event> event = predictor_.earliest(world, i, j, t);
+    if (world.box && predictor_.can_meet(world, i, j)) {
+      const Time<Scalar> look = world.box->holds_until(t, world.velocity(j) - world.velocity(i));
+      if (look < Time<Scalar>::never() && !(event && event->time <= look)) {
+        queue_.push(world.pending(look, Rank::collision, i, j, 0, kLook));
+        return;
+      }
+    }
     if (event) queue_.push(*event);
   }
+
+  static constexpr int kLook = -1;  ///< in the place of an effect
 
   PairPredictor<Scalar, D> predictor_;
   EventQueue<Scalar> queue_;

@@ -49,7 +49,8 @@ class Coupling {
 /// Throws OutOfRange where two particles are at one place, which has no axis.
 template <typename Scalar, int D>
 void require_apart(const World<Scalar, D>& world, int i, int j) {
-  if (world.position(i, world.now) != world.position(j, world.now)) return;
+  const PairPlaces<Scalar, D> places = world.places(i, j);
+  if (places.from() != places.to()) return;
   throw OutOfRange("the distance of " + pair_name(world.scene, i, j) + ", which rounding puts at one point,");
 }
 
@@ -68,8 +69,9 @@ PairVelocities<Scalar, D> directed_response(World<Scalar, D>& world, int i, int 
                                             const Scalar& mass_i, const Scalar& mass_j,
                                             const PairVelocities<Scalar, D>& v) {
   const Leaving leaving = limit == Limit::inner ? Leaving::apart : Leaving::together;
-  const PairVelocities<Scalar, D> result = directed<Scalar, D>(
-      world.position(i, world.now), world.position(j, world.now), mass_i, mass_j, v, leaving);
+  const PairPlaces<Scalar, D> places = world.places(i, j);
+  const PairVelocities<Scalar, D> result =
+      directed<Scalar, D>(places.u_i, places.u_j, mass_i, mass_j, v, leaving, places.exact());
   if (result.v_A != v.v_A) world.ledger.add_change(mass_i, v.v_A, result.v_A, world.frame_velocity());
   if (result.v_B != v.v_B) world.ledger.add_change(mass_j, v.v_B, result.v_B, world.frame_velocity());
   return result;

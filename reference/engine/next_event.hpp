@@ -98,6 +98,8 @@ class NextEventChoice {
       const Effect<Scalar, D>& effect = *effects[world.index(event.effect)];
       if (event.rank != Rank::collision) return effect.moment(world, event);
       const auto question = effect.asks(world, event.first, event.second);
+      if (world.box)
+        return world.timing.moment(world.imaged_view(event.first, event.second, event.time), *question);
       return world.timing.moment(world.view(event.first, event.second), *question);
     };
     std::size_t first = 0;

@@ -29,17 +29,32 @@ class PairPredictor {
   /// The earliest event of a pair, i < j. Its time is a function of the two stored states alone: the later of
   /// the two clocks, to which the other particle is advanced, plus the answer of eq. (2). A time beyond the
   /// range of the scalar is never(): there is an event, which no clock reaches. Throws OutOfRange.
-  std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, int i, int j) const {
+  /// In a periodic box it is the event with the image that is nearest at time `t`: a function of the stored
+  /// states and the image.
+  std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, int i, int j,
+                                               const Time<Scalar>& t) const {
+    if (!can_meet(world, i, j)) return std::nullopt;
+    if (world.box) return earliest(world, world.imaged_view(i, j, t));
+    return earliest(world, world.view(i, j));
+  }
+
+  /// Whether two particles have a law, and do not move as one.
+  static bool can_meet(const World<Scalar, D>& world, int i, int j) {
     const Law<Scalar>& law = world.law(i, j);
-    if (!law.blocking && !law.tethering) return std::nullopt;
-    if (world.coupling->together(i, j)) return std::nullopt;
-    const PairView<Scalar, D> pair = world.view(i, j);
+    return (law.blocking || law.tethering) && !world.coupling->together(i, j);
+  }
+
+ private:
+  template <typename View>
+  std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, const View& pair) const {
+    const int i = pair.i;
+    const int j = pair.j;
     require_range(world, pair);
     std::optional<Scalar> earliest;
     int effect = 0;
     for (const Predictor& predictor : predictors_) {
       const std::optional<LimitQuestion<Scalar>> question = predictor.effect->asks(world, i, j);
-      if (!question) continue;
+      if (!question || is_done(pair, *question)) continue;
       const std::optional<Scalar> dt = world.timing.next(pair, *question);
       if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
       if (dt) require_resolved(world, pair, question->distance, *dt);
@@ -51,7 +66,14 @@ class PairPredictor {
     return world.pending(after(pair.start, *earliest), Rank::collision, i, j, 0, effect);
   }
 
- private:
+  /// Whether a pair that has rebounded is not asked. In a periodic box it may meet another image next, where
+  /// exactly it approaches; its own leaves, by the directed rounding of its response (D28).
+  static bool is_done(const PairView<Scalar, D>&, const LimitQuestion<Scalar>&) { return false; }
+  static bool is_done(const ImagedPairView<Scalar, D>& pair, const LimitQuestion<Scalar>& question) {
+    return question.kind == TimingKind::block && question.has_responded &&
+           normal_sign<Scalar, D>(pair.stored_i, pair.stored_j, pair.v_i, pair.v_j, &pair.image) >= 0;
+  }
+
   /// A time below the normal numbers is one of a pair at its limit, or one that underflowed: then the time in
   /// which the pair crosses its limit does so, too.
   static void require_resolved(const World<Scalar, D>& world, const PairView<Scalar, D>& pair,

@@ -14,6 +14,7 @@
 #include "reference/equations/directed_rounding.hpp"
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq2_paper_time.hpp"
+#include "reference/equations/periodic_image.hpp"
 #include "reference/equations/vector.hpp"
 
 namespace tps {
@@ -24,6 +25,13 @@ struct PairView {
   int i, j;  ///< i < j
   Time<Scalar> start;
   Vector<Scalar, D> u_i, u_j, v_i, v_j;
+};
+
+/// The same in a periodic box: the places of the base are 0 and the rounded difference to the image of j.
+template <typename Scalar, int D>
+struct ImagedPairView : PairView<Scalar, D> {
+  Vector<Scalar, D> stored_i, stored_j;  ///< the places themselves
+  PeriodicImage<Scalar, D> image;
 };
 
 /// What an effect asks about a pair: when is it next at this distance?
@@ -42,6 +50,7 @@ template <typename Scalar, int D>
 class PairTiming {
  public:
   using View = PairView<Scalar, D>;
+  using ImagedView = ImagedPairView<Scalar, D>;
   using Question = LimitQuestion<Scalar>;
 
   explicit PairTiming(const TimingChoice& choice) : choice_(choice) {
@@ -58,7 +67,8 @@ class PairTiming {
   /// A pair that has just been pulled can only come back by way of the inside. Where rounding left it so far
   /// outside that its path misses the inside (`turning`), it is taken to be where real arithmetic has it, at
   /// the limit (c = 0: t = −2h/a, twice the time to the turning point); else it would never be pulled again.
-  std::optional<Scalar> next(const View& pair, const Question& question) const {
+  template <typename AnyView>
+  std::optional<Scalar> next(const AnyView& pair, const Question& question) const {
     const CollisionTime<Scalar> answer = answered(pair, question);
     if (!question.has_responded) return answer.t;
     if (answer.verdict == TimingVerdict::turning) return Scalar(2) * *answer.t;
@@ -69,7 +79,8 @@ class PairTiming {
   }
 
   /// The moment that next() rounds. REQUIRES certified().
-  Moment moment(const View& pair, const Question& question) const {
+  template <typename AnyView>
+  Moment moment(const AnyView& pair, const Question& question) const {
     Moment moment = known(pair.start);
     moment.query = lifted_query(pair, question);
     if (question.has_responded &&
@@ -118,14 +129,20 @@ class PairTiming {
   /// separating, is pulled again. Directed rounding made its exact h negative, however small: it comes back
   /// at −2h/a. Where h ≥ 0 a stored position has been rounded since (another tether of the particle broke):
   /// at once.
-  static Scalar pulled_again(const View& pair) {
-    if (normal_sign<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j) >= 0) return Scalar(0);
-    const Dyadic h = detail::exact_dot<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, -1);
+  static Scalar pulled_again(const View& pair) { return pulled_again(pair, pair.u_i, pair.u_j, nullptr); }
+  static Scalar pulled_again(const ImagedView& pair) {
+    return pulled_again(pair, pair.stored_i, pair.stored_j, &pair.image);
+  }
+  static Scalar pulled_again(const View& pair, const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j,
+                             const PeriodicImage<Scalar, D>* image) {
+    if (normal_sign<Scalar, D>(u_i, u_j, pair.v_i, pair.v_j, image) >= 0) return Scalar(0);
+    const Dyadic h = detail::exact_dot<Scalar, D>(u_i, u_j, pair.v_i, pair.v_j, -1, image);
     const Dyadic a = detail::exact_dot<Scalar, D>(pair.v_i, pair.v_j, pair.v_i, pair.v_j, -1);
     return rounded_quotient<Scalar>(-(h + h), a, Rounding::up);
   }
 
-  CollisionTime<Scalar> answered(const View& pair, const Question& question) const {
+  template <typename AnyView>
+  CollisionTime<Scalar> answered(const AnyView& pair, const Question& question) const {
     const bool block = question.kind == TimingKind::block;
     if constexpr (certifiable<Scalar>) {
       if (certified()) return certified_answer(pair, question);
@@ -147,6 +164,7 @@ class PairTiming {
   /// Whether a pair certainly recedes, h > 0: half of all questions, and the cheapest of the exact verdicts.
   /// A rounded sum of differences and products errs by less than 8 ε Σ|r_k v_k| and what underflows
   /// (normal_sign() counts the roundings); a sum that is not finite is not above its bound.
+  static bool parts(const ImagedView&) { return false; }
   static bool parts(const View& pair) {
     using std::abs;
     using Limits = std::numeric_limits<Scalar>;
@@ -161,7 +179,8 @@ class PairTiming {
   }
 
   /// Positions that have left the range of the scalar have no event any more.
-  CollisionTime<Scalar> certified_answer(const View& pair, const Question& question) const {
+  template <typename AnyView>
+  CollisionTime<Scalar> certified_answer(const AnyView& pair, const Question& question) const {
     if (question.kind == TimingKind::block && parts(pair)) return {TimingVerdict::receding, std::nullopt};
     const TimingQuery query = lifted_query(pair, question);
     if (!valid(query)) return {TimingVerdict::static_pair, std::nullopt};
@@ -173,6 +192,17 @@ class PairTiming {
   static TimingQuery lifted_query(const View& pair, const Question& question) {
     return {question.kind,    lifted(pair.u_i), lifted(pair.u_j),
             lifted(pair.v_i), lifted(pair.v_j), static_cast<double>(question.distance)};
+  }
+  static TimingQuery lifted_query(const ImagedView& pair, const Question& question) {
+    return {question.kind,
+            lifted(pair.stored_i),
+            lifted(pair.stored_j),
+            lifted(pair.v_i),
+            lifted(pair.v_j),
+            static_cast<double>(question.distance),
+            {},
+            lifted(pair.image.n),
+            lifted(pair.image.edges)};
   }
 
   /// The scalar nearest to the exact time of which t is the nearest double.

@@ -31,11 +31,11 @@ Scalar coordinate_ulp(const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j
 template <typename Scalar, int D>
 Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, Limit limit) {
   require_apart(world, i, j);
+  const PairPlaces<Scalar, D> places = world.places(i, j);
   return {i,
           j,
           limit,
-          collision_frame<Scalar, D>(world.position(i, world.now), world.position(j, world.now),
-                                     world.velocity(i), world.velocity(j)),
+          collision_frame<Scalar, D>(places.from(), places.to(), world.velocity(i), world.velocity(j)),
           world.coupling->body_mass(world, i),
           world.coupling->body_mass(world, j),
           Vector<Scalar, D>::Zero()};
@@ -48,10 +48,10 @@ template <typename Scalar, int D>
 bool below_rounding(const World<Scalar, D>& world, const Collision<Scalar, D>& c) {
   using std::abs;
   const Scalar u = std::numeric_limits<Scalar>::epsilon() / Scalar(2);
-  const Vector<Scalar, D> u_i = world.position(c.i, world.now);
-  const Vector<Scalar, D> u_j = world.position(c.j, world.now);
-  const Scalar reach = u_i.cwiseAbs().maxCoeff() + u_j.cwiseAbs().maxCoeff();
-  const Scalar turn = Scalar(2) * u + Scalar(2 * D) * u * reach / norm<Scalar, D>(u_j - u_i);
+  const PairPlaces<Scalar, D> places = world.places(c.i, c.j);
+  const Scalar reach = places.u_i.cwiseAbs().maxCoeff() + places.u_j.cwiseAbs().maxCoeff();
+  const Scalar distance = norm<Scalar, D>(places.to() - places.from());
+  const Scalar turn = Scalar(2) * u + Scalar(2 * D) * u * reach / distance;
   const Scalar speeds = norm<Scalar, D>(world.velocity(c.i)) + norm<Scalar, D>(world.velocity(c.j));
   return abs(c.frame.v_n) <= Scalar(2) * u * speeds + turn * norm<Scalar, D>(c.frame.v_AB);
 }
@@ -61,10 +61,9 @@ template <typename Scalar, int D>
 void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, const Scalar& distance_limit) {
   using std::abs;
   using std::sqrt;
-  const Vector<Scalar, D> u_i = world.position(c.i, world.now);
-  const Vector<Scalar, D> u_j = world.position(c.j, world.now);
-  const Scalar distance = norm<Scalar, D>(u_j - u_i);
-  const Scalar inside = (distance_limit - distance) / coordinate_ulp<Scalar, D>(u_i, u_j);
+  const PairPlaces<Scalar, D> places = world.places(c.i, c.j);
+  const Scalar distance = norm<Scalar, D>(places.to() - places.from());
+  const Scalar inside = (distance_limit - distance) / coordinate_ulp<Scalar, D>(places.u_i, places.u_j);
   Statistics<Scalar>& s = world.statistics;
   if (c.limit == Limit::inner) s.worst_inner_excess = std::max(s.worst_inner_excess, inside);
   if (c.limit == Limit::outer) s.worst_outer_excess = std::max(s.worst_outer_excess, Scalar(-inside));

@@ -118,7 +118,8 @@ class Simulation {
  private:
   std::unique_ptr<Detector<Scalar, D>> made(DetectorKind kind, const TimingChoice& timing) const {
     const bool many = world_.size() >= Cells<Scalar, D>::kWorthwhile;
-    if (kind == DetectorKind::cells || (kind == DetectorKind::automatic && many))
+    const bool fits = Cells<Scalar, D>::fits(world_.scene, timing);
+    if (fits && (kind == DetectorKind::cells || (kind == DetectorKind::automatic && many)))
       return std::make_unique<Cells<Scalar, D>>(world_, timing, effects_);
     return std::make_unique<AllPairs<Scalar, D>>(effects_);
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "reference/engine/laws.hpp"
 #include "reference/engine/ledger.hpp"
 #include "reference/engine/pair_timing.hpp"
+#include "reference/engine/periodic_box.hpp"
 #include "reference/engine/queue.hpp"
 #include "reference/engine/range.hpp"
 #include "reference/engine/record.hpp"
@@ -61,6 +63,7 @@ class World {
   Responded responded;
   std::map<std::array<int, 3>, std::uint32_t> draws;  ///< (purpose, i, j) → random numbers used
   std::unique_ptr<Coupling<Scalar, D>> coupling;
+  std::unique_ptr<PeriodicBox<Scalar, D>> box;  ///< null: space is unbounded
   EventQueue<Scalar> queue;
   Ledger<Scalar, D> ledger;
   Statistics<Scalar> statistics;
@@ -91,6 +94,33 @@ class World {
     const Time<Scalar>& clock_j = particles[index(j)].clock;
     const Time<Scalar>& start = clock_i < clock_j ? clock_j : clock_i;
     return {i, j, start, position(i, start), position(j, start), velocity(i), velocity(j)};
+  }
+
+  /// The same in a periodic box, with the image of j that is nearest at time t. Throws OutOfRange where
+  /// places are no longer known well enough.
+  ImagedPairView<Scalar, D> imaged_view(int i, int j, const Time<Scalar>& t) const {
+    const PairView<Scalar, D> seen = view(i, j);
+    const PeriodicImage<Scalar, D> image = nearest_image(i, j, t);
+    return {{i, j, seen.start, Vec(Vec::Zero()), image.difference(seen.u_i, seen.u_j), seen.v_i, seen.v_j},
+            seen.u_i,
+            seen.u_j,
+            image};
+  }
+  /// REQUIRES box. Throws OutOfRange.
+  PeriodicImage<Scalar, D> nearest_image(int i, int j, const Time<Scalar>& t) const {
+    const Vec u_i = position(i, t);
+    const Vec u_j = position(j, t);
+    for (const int n : {i, j}) {
+      if (!box->knows(n == i ? u_i : u_j))
+        throw OutOfRange("the number of edges of the box that " + particle_name(scene, n) + " has crossed");
+    }
+    return box->nearest(u_i, u_j);
+  }
+  /// Two particles now.
+  PairPlaces<Scalar, D> places(int i, int j) const {
+    PairPlaces<Scalar, D> places{position(i, now), position(j, now), {}};
+    if (box) places.image = nearest_image(i, j, now);
+    return places;
   }
 
   /// Advances a particle's stored state to now. Infinite masses keep theirs: nothing ever changes it.

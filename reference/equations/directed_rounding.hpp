@@ -11,21 +11,31 @@
 
 #include "reference/equations/dyadic.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
+#include "reference/equations/periodic_image.hpp"
 #include "reference/equations/vector.hpp"
 
 namespace tps {
 
 namespace detail {
 
+/// Component k of u_B − u_A, of the image of B where one is meant.
+template <typename Scalar, int D>
+Dyadic exact_component(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, int k,
+                       const PeriodicImage<Scalar, D>* image) {
+  if (image != nullptr) return image->exact_difference(u_A, u_B, k);
+  const Scalar &a = u_A[k], &b = u_B[k];
+  return dyadic(b) - dyadic(a);
+}
+
 /// (u_B − u_A)·(v_B − v_A) without component `without`.
 template <typename Scalar, int D>
 Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
-                 const Vector<Scalar, D>& v_B, int without) {
+                 const Vector<Scalar, D>& v_B, int without, const PeriodicImage<Scalar, D>* image = nullptr) {
   Dyadic sum;
   for (int k = 0; k < D; ++k) {
     if (k == without) continue;
-    const Scalar &a = u_A[k], &b = u_B[k], &x = v_A[k], &y = v_B[k];
-    sum = sum + (dyadic(b) - dyadic(a)) * (dyadic(y) - dyadic(x));
+    const Scalar &x = v_A[k], &y = v_B[k];
+    sum = sum + exact_component<Scalar, D>(u_A, u_B, k, image) * (dyadic(y) - dyadic(x));
   }
   return sum;
 }
@@ -37,12 +47,13 @@ Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, con
 ///
 /// A rounded sum decides where its error cannot: two differences, a product and at most two additions a term
 /// are at most 5 · 2u of Σ|r_k w_k| even where subtraction errs by 0.75 ulp, 16 · 2u with its own rounding;
-/// an underflow adds less than the smallest normal number. Else integers decide.
+/// an underflow adds less than the smallest normal number. Else integers decide. Of an image the terms of a
+/// difference cancel, so that the size is that of both.
 /// 0 where an input is not finite. Laws: (1) exchanging A and B keeps it; (2) exchanging velocities flips it;
 /// (3) lengths or velocities times 2^k keep it.
 template <typename Scalar, int D>
 int normal_sign(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, const Vector<Scalar, D>& v_A,
-                const Vector<Scalar, D>& v_B) {
+                const Vector<Scalar, D>& v_B, const PeriodicImage<Scalar, D>* image = nullptr) {
   using std::abs;
   using Limits = std::numeric_limits<Scalar>;
   Scalar sum(0);
@@ -51,13 +62,17 @@ int normal_sign(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, cons
     const Scalar term = (u_B[k] - u_A[k]) * (v_B[k] - v_A[k]);
     sum += term;
     size += abs(term);
+    if (image == nullptr) continue;
+    const Scalar of_image = image->shift(k) * (v_B[k] - v_A[k]);
+    sum += of_image;
+    size += abs(of_image);
   }
   if (abs(sum) > Scalar(16) * Limits::epsilon() * size + (Limits::min)() && size <= (Limits::max)()) {
     return sum > Scalar(0) ? 1 : -1;
   }
   const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
   if (!finite(u_A) || !finite(u_B) || !finite(v_A) || !finite(v_B)) return 0;
-  return detail::exact_dot<Scalar, D>(u_A, u_B, v_A, v_B, -1).sign();
+  return detail::exact_dot<Scalar, D>(u_A, u_B, v_A, v_B, -1, image).sign();
 }
 
 /// Which way a pair may move along û after its response.
@@ -70,8 +85,8 @@ namespace detail {
 
 template <typename Scalar, int D>
 bool leaves(Leaving leaving, const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
-            const PairVelocities<Scalar, D>& v) {
-  const int sign = normal_sign<Scalar, D>(u_A, u_B, v.v_A, v.v_B);
+            const PairVelocities<Scalar, D>& v, const PeriodicImage<Scalar, D>* image) {
+  const int sign = normal_sign<Scalar, D>(u_A, u_B, v.v_A, v.v_B, image);
   if (leaving == Leaving::apart) return sign >= 0;
   return sign < 0 || v.v_A == v.v_B;
 }
@@ -118,8 +133,8 @@ bool changes_A(const Scalar& m_A, const Scalar& m_B, const Scalar& x, const Scal
 /// After a pull v_n' = 0 will do only for a pair at rest: across the axis it would leave at once, so that
 /// there one number further is taken.
 ///
-/// @param m_A,m_B masses in (0, ∞], of bodies where particles are grouped. REQUIRES not both infinite,
-/// u_A ≠ u_B.
+/// @param image of B, where one is meant. @param m_A,m_B masses in (0, ∞], of bodies where particles are
+/// grouped. REQUIRES not both infinite, u_A ≠ u_B.
 /// Laws: (1) afterwards the exact v_n' is ≥ 0 (`apart`), < 0 or the pair at rest (`together`);
 /// (2) velocities that have the right sign are kept bitwise; (3) an infinite mass, and the heavier one,
 /// keeps its velocity; (4) at most one component changes, and those that tie with it, of both bodies only
@@ -130,13 +145,14 @@ template <typename Scalar, int D>
 PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                    const std::type_identity_t<Scalar>& m_A,
                                    const std::type_identity_t<Scalar>& m_B, PairVelocities<Scalar, D> v,
-                                   Leaving leaving) {
+                                   Leaving leaving, const PeriodicImage<Scalar, D>* image = nullptr) {
   using std::abs;
   const auto finite = [](const Vector<Scalar, D>& x) { return is_finite<Scalar, D>(x); };
   if (!finite(u_A) || !finite(u_B) || !finite(v.v_A) || !finite(v.v_B)) return v;
-  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
-  const std::vector<int> components = detail::components_along<Scalar, D>(u_B - u_A, v);
-  const Dyadic r_w = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, -1);
+  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v, image)) return v;
+  const std::vector<int> components = detail::components_along<Scalar, D>(
+      image == nullptr ? Vector<Scalar, D>(u_B - u_A) : image->difference(u_A, u_B), v);
+  const Dyadic r_w = detail::exact_dot<Scalar, D>(u_A, u_B, v.v_A, v.v_B, -1, image);
   const auto move = [&](Scalar& changed, const Dyadic& share, const Dyadic& toward_zero, Rounding outwards) {
     // changed + toward_zero / share, where the other changes make up the rest of r·w.
     changed = rounded_quotient<Scalar>(share * dyadic(changed) + toward_zero, share, outwards);
@@ -144,7 +160,7 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
   std::vector<std::pair<Scalar*, Rounding>> moved;
   for (const int k : components) {
     Scalar &x = v.v_A[k], &y = v.v_B[k];
-    const Dyadic r_k = dyadic(u_B[k]) - dyadic(u_A[k]);
+    const Dyadic r_k = detail::exact_component<Scalar, D>(u_A, u_B, k, image);
     const Dyadic share = dyadic(Scalar(static_cast<int>(components.size()))) * r_k;
     const bool B_goes_up = (r_k.sign() > 0) == (leaving == Leaving::apart);
     const Rounding out_B = B_goes_up ? Rounding::up : Rounding::down;
@@ -161,7 +177,7 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
       moved.emplace_back(&x, out_A);
     }
   }
-  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v)) return v;
+  if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v, image)) return v;
   for (const auto& [changed, outwards] : moved) *changed = next_number(*changed, outwards);
   return v;
 }

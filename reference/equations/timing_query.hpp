@@ -20,16 +20,24 @@ struct TimingQuery {
   std::array<double, 3> v_A, v_B;  ///< velocities
   double L;                        ///< limiting distance: Δu_blocking or Δu_tethering
   std::array<double, 3> normal{};  ///< n of a plane, as stored; A is any of its points
+  std::array<double, 3> image{};   ///< in a periodic box B is meant displaced by so many edges, integers
+  std::array<double, 3> edges{};   ///< of the box; 0 along an open axis
 };
 
 /// Whether the query has an answer: every number finite and L > 0.
 inline bool valid(const TimingQuery& query) {
-  for (const auto* x : {&query.u_A, &query.u_B, &query.v_A, &query.v_B, &query.normal}) {
+  for (const auto* x :
+       {&query.u_A, &query.u_B, &query.v_A, &query.v_B, &query.normal, &query.image, &query.edges}) {
     for (const double component : *x) {
       if (!std::isfinite(component)) return false;
     }
   }
   return std::isfinite(query.L) && query.L > 0;
+}
+
+/// Whether B is meant itself, and no image of it.
+constexpr bool is_at_home(const TimingQuery& query) {
+  return query.image[0] == 0 && query.image[1] == 0 && query.image[2] == 0;
 }
 
 /// Whether the pair does not move relative to itself: v = 0. A difference of doubles is zero only if they

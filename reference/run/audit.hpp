@@ -32,6 +32,11 @@ class Audit {
       Coordinates& place = places_.particles[world.index(i)].position;
       for (int k = 0; k < D; ++k) {
         place[static_cast<std::size_t>(k)] = static_cast<double>(at_.back()[k]);
+        if (world.box) {
+          const double edge = static_cast<double>(world.box->edges()[k]);
+          double& x = place[static_cast<std::size_t>(k)];
+          if (edge > 0) x -= std::floor(x / edge) * edge;
+        }
         farthest_ = std::max(farthest_, std::fabs(place[static_cast<std::size_t>(k)]));
       }
     }
@@ -54,19 +59,37 @@ class Audit {
     const std::vector<std::size_t> a = members(law.species_a);
     const PointTree b(places_, members(law.species_b));
     const bool all = !(farthest_ < 0x1p500);
-    for (const std::size_t i : a) {
-      const Coordinates& place = places_.particles[i].position;
-      const auto worth = [&](const PointTree::Box& box) {
-        const double slack = 0x1p-48 * farthest_;
-        return all ||
-               (law.blocking && may_be_nearer(box, place, law.blocking->distance * (1 + 0x1p-20) + slack)) ||
-               (permanent && may_be_farther(box, place,
-                                            std::max(law.tethering->distance * (1 - 0x1p-20) - slack,
-                                                     law.tethering->distance / 2)));
-      };
-      b.visit(worth, [&](std::size_t j) {
-        if (i != j) look_at(static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j)));
+    for (const std::size_t i : a)
+      visit_images(places_.particles[i].position, [&](const Coordinates& place) {
+        const auto worth = [&](const PointTree::Box& box) {
+          const double slack = 0x1p-48 * farthest_;
+          return all ||
+                 (law.blocking &&
+                  may_be_nearer(box, place, law.blocking->distance * (1 + 0x1p-20) + slack)) ||
+                 (permanent && may_be_farther(box, place,
+                                              std::max(law.tethering->distance * (1 - 0x1p-20) - slack,
+                                                       law.tethering->distance / 2)));
+        };
+        b.visit(worth, [&](std::size_t j) {
+          if (i != j) look_at(static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j)));
+        });
       });
+  }
+
+  /// A place, and in a periodic box its images around.
+  template <typename Visit>
+  void visit_images(const Coordinates& place, Visit visit) const {
+    if (!world_.box) return visit(place);
+    for (int n = 0; n < (D == 3 ? 27 : 9); ++n) {
+      Coordinates image = place;
+      bool is_one = true;
+      int digits = n;
+      for (int k = 0; k < D; ++k, digits /= 3) {
+        const double edge = static_cast<double>(world_.box->edges()[k]);
+        is_one = is_one && (edge > 0 || digits % 3 == 1);
+        image[static_cast<std::size_t>(k)] += (digits % 3 - 1) * edge;
+      }
+      if (is_one) visit(image);
     }
   }
 
@@ -82,7 +105,8 @@ class Audit {
     const Law<Scalar>& law = world_.law(i, j);
     const Vector<Scalar, D>& u_i = at_[world_.index(i)];
     const Vector<Scalar, D>& u_j = at_[world_.index(j)];
-    const Scalar distance = norm<Scalar, D>(u_j - u_i);
+    const Scalar distance = norm<Scalar, D>(world_.box ? world_.box->nearest(u_i, u_j).difference(u_i, u_j)
+                                                       : Vector<Scalar, D>(u_j - u_i));
     const bool inside = law.blocking && distance < law.blocking->distance;
     const bool outside = world_.tethered(i, j) && distance > law.tethering->distance;
     if (!inside && !outside) return;

@@ -23,7 +23,9 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
     if (record.tether != TetherChange::none)
       event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
   };
-  const Time<double> last = clock_until<double>(scene, std::numeric_limits<double>::infinity());
+  // In a periodic box something may always lie ahead.
+  const double until = scene.box ? scene.duration : std::numeric_limits<double>::infinity();
+  const Time<double> last = clock_until<double>(scene, until);
   simulation.set_horizon(last);
   if (const auto who = simulation.beyond_every_time())
     throw OutOfRange("the time of the next event of " + *who);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/engine/laws.hpp"
+#include "reference/engine/periodic_box.hpp"
 #include "reference/engine/range.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scalars.hpp"
@@ -42,6 +43,7 @@ class SceneInScalar {
       judge_vector("/gravity/acceleration", scene.gravity->acceleration, "the acceleration");
     }
     for (const Surface& surface : surfaces(scene)) judge_surface(surface);
+    if (scene.box) judge_box(options.until.value_or(scene.duration));
     for (std::size_t n = 0; n < scene.impulses.size(); ++n) {
       const std::string at = "/impulses/" + std::to_string(n);
       judge(at + "/at", scene.impulses[n].at);
@@ -139,6 +141,18 @@ class SceneInScalar {
                                           " and not above the blocking distance " +
                                           told(law.blocking->distance) + remedy());
     }
+  }
+
+  /// Edges stay wider than two interaction distances, and an end is needed.
+  void judge_box(double duration) {
+    for (std::size_t k = 0; k < D; ++k) {
+      const std::string at = "/box/periodic/" + std::to_string(k);
+      const double edge = scene_.box->edges[k];
+      judge(at, edge);
+      if (!(Scalar(edge) / Scalar(2) > Scalar(longest_interaction(scene_))))
+        add(at, "is " + told(edge) + ", which is not above two interaction distances" + remedy());
+    }
+    if (!is_finite(duration)) add("/duration", "is inf; in a periodic box a run needs an end");
   }
 
   void judge_surface(const Surface& surface) {

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/scene/check_box.hpp"
 #include "reference/scene/check_starts.hpp"
 #include "reference/scene/check_walls.hpp"
 #include "reference/text/json_pointer.hpp"
@@ -267,9 +268,10 @@ void check_scene(const Scene& scene, SceneSource& source) {
   if (source.sound({"grouping", "walls"})) check_walls(scene, source);
   if (source.sound({"walls"})) check_starts_at_walls(scene, source);
   if (source.sound({"pairs", "grouping", "drag"})) check_friction(scene, source);
+  if (source.sound({"box", "duration", "observe", "pairs", "walls"})) check_box(scene, source);
   if (source.sound({"impulses"})) check_impulses(scene, source);
   if (source.sound({"pairs", "tethers"})) check_tethers(scene, source);
-  if (source.sound({"pairs", "particles", "tethers"})) check_starts(scene, source);
+  if (source.sound({"box", "pairs", "particles", "tethers"})) check_starts(scene, source);
 }
 
 }  // namespace tps

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
@@ -32,10 +33,13 @@ double ulp(double value) {
   return std::ldexp(1.0, std::max(exponent - 53, -1074));
 }
 
-StartVerdict exact_verdict(const Coordinates& a, const Coordinates& b, double limit) {
+/// Of b displaced by so many edges along each axis; `edges` are finite where there are any.
+StartVerdict exact_verdict(const Coordinates& a, const Coordinates& b, double limit,
+                           const std::array<int, 3>& image = {}, const Coordinates& edges = {}) {
   Rational square = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const Rational r = Rational(b[k]) - Rational(a[k]);
+    Rational r = Rational(b[k]) - Rational(a[k]);
+    if (image[k] != 0) r += image[k] * Rational(edges[k]);
     square += r * r;
   }
   const Rational allowance(start_allowance(a, b));
@@ -104,6 +108,10 @@ class Starts {
     for (const std::size_t k : order) {
       const Coordinates& position = scene_.particles[k].position;
       near.clear();
+      if (scene_.box) {
+        check_images(k, limit, same || scene_.particles[k].species == law.species_b ? of_a : of_b);
+        if (source_.full()) return;
+      }
       const PointTree& others = same || scene_.particles[k].species == law.species_b ? of_a : of_b;
       others.visit([&](const PointTree::Box& box) { return may_be_nearer(box, position, limit.distance); },
                    [&](std::size_t other) {
@@ -115,6 +123,39 @@ class Starts {
         if (source_.full()) return;
       }
     }
+  }
+
+  /// In a periodic box the images around it are looked at, too, each pair from its first particle.
+  void check_images(std::size_t k, const Limit& limit, const PointTree& others) {
+    const Coordinates& position = scene_.particles[k].position;
+    for (int n = 0; n < 27; ++n) {
+      const std::array<int, 3> turn = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+      Coordinates image = position;
+      bool is_one = n != 13;  // itself
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        is_one = is_one && (turn[axis] == 0 || std::isfinite(scene_.box->edges[axis]));
+        if (is_one && turn[axis] != 0) image[axis] += turn[axis] * scene_.box->edges[axis];
+      }
+      if (!is_one) continue;
+      others.visit([&](const PointTree::Box& box) { return may_be_nearer(box, image, limit.distance); },
+                   [&](std::size_t other) {
+                     if (other > k) check_image(other, k, turn, limit);
+                   });
+    }
+  }
+
+  void check_image(std::size_t a, std::size_t b, const std::array<int, 3>& image, const Limit& limit) {
+    const Particle& first = scene_.particles[a];
+    const Particle& second = scene_.particles[b];
+    if (exact_verdict(first.position, second.position, limit.distance, image, scene_.box->edges) !=
+        limit.violation)
+      return;
+    source_.report(
+        fmt::format("/particles/{}/position", source_.particle_entries[std::max(a, b)]),
+        fmt::format("particles {} and {} start nearer across an edge of the box than their {} distance "
+                    "{} by more than 4 ulp of the largest coordinate; move one of them",
+                    std::min(first.id, second.id), std::max(first.id, second.id), limit.name,
+                    write_shortest(limit.distance)));
   }
 
   std::size_t longest_axis(const std::vector<std::size_t>& particles) const {
@@ -163,10 +204,28 @@ class Starts {
     check_pair(i, j, {"tethering", StartVerdict::farther, law->second->tethering->distance});
   }
 
+  /// The image of b that is nearest to a.
+  std::array<int, 3> nearest_image(const Particle& a, const Particle& b) const {
+    std::array<int, 3> image{};
+    if (!scene_.box) return image;
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      const double edge = scene_.box->edges[k];
+      if (std::isfinite(edge))
+        image[k] = -static_cast<int>(std::floor((b.position[k] - a.position[k]) / edge + 0.5));
+    }
+    return image;
+  }
+
   void check_pair(std::size_t i, std::size_t j, const Limit& limit) {
     const Particle& a = scene_.particles[std::min(i, j)];
     const Particle& b = scene_.particles[std::max(i, j)];
-    if (start_verdict(a.position, b.position, limit.distance) != limit.violation) return;
+    const std::array<int, 3> image = nearest_image(a, b);
+    const bool is_at_home = image == std::array<int, 3>{};
+    const StartVerdict verdict =
+        is_at_home || limit.violation == StartVerdict::nearer
+            ? start_verdict(a.position, b.position, limit.distance)
+            : exact_verdict(a.position, b.position, limit.distance, image, scene_.box->edges);
+    if (verdict != limit.violation) return;
     const double distance = std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],
                                        b.position[2] - a.position[2]);
     const bool nearer = limit.violation == StartVerdict::nearer;

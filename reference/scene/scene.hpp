@@ -142,6 +142,12 @@ struct Wall {
   bool operator==(const Wall&) const = default;
 };
 
+/// A periodic box from the origin to `edges`: a pair meets by the image that is nearest (semantics §5).
+struct PeriodicEdges {
+  Coordinates edges{};  ///< infinite along an open axis
+  bool operator==(const PeriodicEdges&) const = default;
+};
+
 /// Grouping of nearly simultaneous collisions (eqs. 6-7).
 struct Grouping {
   double dt_restitute = 0;
@@ -185,6 +191,7 @@ struct Scene {
   std::optional<Gravity> gravity;
   std::optional<Drag> drag;
   std::vector<Wall> walls;
+  std::optional<PeriodicEdges> box;
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -72,6 +73,7 @@ class Sections {
     if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
     read_gravity();
     read_walls();
+    read_box();
     read_impulses();
     read_tethers();
     return scene_;
@@ -299,6 +301,15 @@ class Sections {
         source_.report(pointer, "a wall is one plane, sphere or box; make an entry of each");
       }
     }
+  }
+
+  void read_box() {
+    const JsonValue* box = root_.find("box");
+    if (box == nullptr || !source_.sound({"box"})) return;
+    PeriodicEdges periodic{read_vector(*box->find("periodic"), "/box/periodic")};
+    for (std::size_t k = static_cast<std::size_t>(scene_.dimension); k < periodic.edges.size(); ++k)
+      periodic.edges[k] = std::numeric_limits<double>::infinity();
+    scene_.box = periodic;
   }
 
   void read_impulses() {

@@ -55,6 +55,7 @@ class Writer {
     }
     if (scene_.drag) members.emplace_back("drag", object({{"gamma", text(scene_.drag->gamma)}}));
     if (!scene_.walls.empty()) members.emplace_back("walls", lines(scene_.walls));
+    if (scene_.box) members.emplace_back("box", object({{"periodic", vector(scene_.box->edges)}}));
     if (!scene_.phases.empty()) members.emplace_back("phases", lines(scene_.phases));
     if (!scene_.impulses.empty()) members.emplace_back("impulses", lines(scene_.impulses));
     members.emplace_back("particles", lines(scene_.particles));

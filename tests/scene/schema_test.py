@@ -21,6 +21,7 @@ ARSLAB_TPS = json.loads((ROOT / "data/schemas/arslab_tps.schema.json").read_text
 
 # Faults of meaning: the shape is right.
 SEMANTIC = {
+    "box", "box_open", "start_too_near_across_an_edge",
     "capacity", "containment_without_room", "distance_overflow", "distance_zero", "gap_too_small", "id_twice",
     "impulse_of_three", "impulse_on_a_wall", "impulse_on_infinite_mass", "infinite_masses_part", "drag_with_grouping", "friction_with_drag", "friction_without_meaning", "spin_of_two", "drag_with_a_moving_wall", "drag_without_meaning", "kicks_without_meaning", "pair_twice",
     "permanent_breaks", "phase_of_permanent", "phases_of_nothing", "phases_overlap", "start_outside_containment",

@@ -92,6 +92,7 @@ std::optional<std::string> not_certified(const Scene& scene) {
   if (scene.gravity) return "gravity";
   if (scene.drag) return "drag";
   if (!scene.walls.empty()) return "walls";
+  if (scene.box) return "a periodic box";
   for (const Species& species : scene.species) {
     if (species.random_impulses || species.thermostat) return "kicks at random times";
   }

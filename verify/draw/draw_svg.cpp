@@ -72,6 +72,19 @@ std::vector<int> cluster_numbers(const Scene& scene, const std::vector<Tether>& 
   return number;
 }
 
+/// Positions are unwrapped; of each particle the image in the periodic box is drawn, if there is one.
+std::vector<std::array<double, 3>> in_the_box(const Scene& scene,
+                                              std::vector<std::array<double, 3>> positions) {
+  if (!scene.box) return positions;
+  for (std::array<double, 3>& x : positions) {
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double edge = scene.box->edges[k];
+      if (std::isfinite(edge)) x[k] -= std::floor(x[k] / edge) * edge;
+    }
+  }
+  return positions;
+}
+
 /// Everything but containers and texts, from far to near.
 std::vector<Layer> layers_of(const Drawing& drawing, const std::vector<Tether>& tethers) {
   std::vector<Layer> layers;
@@ -89,9 +102,10 @@ std::vector<Layer> layers_of(const Drawing& drawing, const std::vector<Tether>& 
 
 }  // namespace
 
-std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>>& positions,
+std::string draw_svg(const Scene& scene, const std::vector<std::array<double, 3>>& unwrapped,
                      const std::vector<Tether>& tethers, const DrawOptions& options) {
-  check(scene, positions, tethers, options);
+  check(scene, unwrapped, tethers, options);
+  const std::vector<std::array<double, 3>> positions = in_the_box(scene, unwrapped);
   const double size = options.size;
   const double title_height = 1.5 * kLegendLine;
   const Drawing drawing{scene, options, fit_to_picture(scene, positions, size), containers(scene),

@@ -40,6 +40,8 @@ View view_of(const Scene& scene, const std::vector<std::array<double, 3>>& posit
       if (i == 0) box[k] = {x - r, x + r};
       box[k] = {std::min(box[k].least, x - r), std::max(box[k].most, x + r)};
     }
+    if (scene.box && std::isfinite(scene.box->edges[k]))
+      box[k] = {std::min(box[k].least, 0.0), std::max(box[k].most, kQuarter * scene.box->edges[k])};
     for (const Wall& wall : scene.walls) {
       if (wall.shape == Wall::Shape::plane) continue;
       const double low = wall.shape == Wall::Shape::box ? wall.point[k] : wall.point[k] - wall.radius;

@@ -53,6 +53,11 @@ std::string wall_elements(const Scene& scene, const View& view, double time) {
       }
     }
   }
+  if (scene.box && std::isfinite(scene.box->edges[0]) && std::isfinite(scene.box->edges[1])) {
+    all += styled(fmt::format("rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"", view.x(0),
+                              view.y(scene.box->edges[1]), view.x(scene.box->edges[0]) - view.x(0),
+                              view.y(0) - view.y(scene.box->edges[1])));
+  }
   if (all.empty()) return all;
   // An inner picture cuts off what lies outside of it.
   return fmt::format("<svg width=\"{0:.0f}\" height=\"{0:.0f}\">\n{1}</svg>\n", view.size, all);

@@ -33,7 +33,9 @@ constexpr bool comfortable(double square) {
 
 /// a, h, c, D from rounded r and v, in the obvious order.
 /// REQUIRES a valid query. Compiled without contraction to fma: the count of roundings assumes none.
+/// Of an image r is a double word first: this stage leaves it to the next one.
 inline Coefficients double_coefficients(const TimingQuery& query) {
+  if (!is_at_home(query)) return {};
   constexpr double u = unit_roundoff;
   const double r_x = query.u_B[0] - query.u_A[0];
   const double r_y = query.u_B[1] - query.u_A[1];

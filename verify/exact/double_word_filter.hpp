@@ -13,6 +13,19 @@ inline std::array<DoubleWord, 3> exact_difference(const Vec3& y, const Vec3& x) 
   return {two_sum(y[0], -x[0]), two_sum(y[1], -x[1]), two_sum(y[2], -x[2])};
 }
 
+/// r of a query: exact, or of an image within 3u² of itself, as the sum of two double words is.
+inline std::array<DoubleWord, 3> relative_position(const TimingQuery& query) {
+  std::array<DoubleWord, 3> r = exact_difference(query.u_B, query.u_A);
+  if (is_at_home(query)) return r;
+  for (std::size_t k = 0; k < 3; ++k) r[k] = r[k] + two_product(query.image[k], query.edges[k]);
+  return r;
+}
+
+/// By how much the bounds are wider that count r as exact (docs/exact.md, "Images").
+inline double widening(const TimingQuery& query) {
+  return is_at_home(query) ? 1 : 2;
+}
+
 /// a, h, c, D with errors of order u², rounded to double at the end. The bounds include that last rounding
 /// only as far as signs go: rounding to double cannot change a sign.
 /// Law: where `in_range`, a sign certified here is the exact one.

@@ -61,7 +61,9 @@ std::uint64_t bits_of(const Integer& x) {
 LiftUnits units_of(const TimingQuery& query) {
   // At rest every power of two divides every velocity; any will do that sums of exponents can bear.
   const int speed = smallest_exponent(query.v_A, query.v_B);
-  return {std::min(smallest_exponent(query.u_A, query.u_B), unit_of(query.L)),
+  // An image counts whole edges.
+  const int of_box = is_at_home(query) ? std::numeric_limits<int>::max() : smallest_exponent(query.edges, {});
+  return {std::min({smallest_exponent(query.u_A, query.u_B), unit_of(query.L), of_box}),
           speed == std::numeric_limits<int>::max() ? 0 : speed};
 }
 
@@ -70,7 +72,10 @@ LiftUnits common_units(const LiftUnits& first, const LiftUnits& second) {
 }
 
 LiftedQuadratic lifted_quadratic(const TimingQuery& query, const LiftUnits& units) {
-  const std::array<Integer, 3> r = lifted_difference(query.u_B, query.u_A, units.length);
+  std::array<Integer, 3> r = lifted_difference(query.u_B, query.u_A, units.length);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (query.image[k] != 0) r[k] += lifted(query.image[k], 0) * lifted(query.edges[k], units.length);
+  }
   const std::array<Integer, 3> v = lifted_difference(query.v_B, query.v_A, units.speed);
   const Integer L = lifted(query.L, units.length);
   const Integer a = dot(v, v);

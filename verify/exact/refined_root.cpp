@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "verify/exact/double_word_filter.hpp"
+
 namespace tps::exact {
 namespace {
 
@@ -19,7 +21,7 @@ struct StateAt {
 };
 
 inline StateAt state_at(const TimingQuery& query, double t) {
-  const std::array<DoubleWord, 3> r = exact_difference(query.u_B, query.u_A);
+  const std::array<DoubleWord, 3> r = relative_position(query);
   StateAt state{exact_difference(query.v_B, query.v_A), {}, 0, 0, 0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     const DoubleWord& v = state.v[k];
@@ -40,9 +42,11 @@ inline std::optional<RefinedTime> refined_hit(const TimingQuery& query, const St
   const DoubleWord w_squared = at.w[0] * at.w[0] + at.w[1] * at.w[1] + at.w[2] * at.w[2];
   const DoubleWord L_squared = two_product(query.L, query.L);
   const double q0 = (w_squared - L_squared).hi;
-  const double q0_error = u * u * (11 * at.w_B + 16 * w_squared.hi + 4 * L_squared.hi) + underflow_allowance;
+  const double q0_error =
+      widening(query) * u * u * (11 * at.w_B + 16 * w_squared.hi + 4 * L_squared.hi) + underflow_allowance;
   const double q1 = 2 * at.v_w;
-  const double q1_error = 2 * (6 * u * at.v_w_absolute + 6 * u * u * at.v_B) + underflow_allowance;
+  const double q1_error =
+      widening(query) * 2 * (6 * u * at.v_w_absolute + 6 * u * u * at.v_B) + underflow_allowance;
 
   // The slope is negative before closest approach, where blocking happens, and positive after it.
   const bool right_side = query.kind == Kind::block ? q1 < 0 : q1 > 0;
@@ -61,9 +65,10 @@ inline std::optional<RefinedTime> refined_hit(const TimingQuery& query, const St
 }
 
 /// Closest approach: v·w = 0, linear in t.
-inline std::optional<RefinedTime> refined_turning(const StateAt& at, double t) {
+inline std::optional<RefinedTime> refined_turning(const TimingQuery& query, const StateAt& at, double t) {
   const double rho = (at.v[0] * at.w[0] + at.v[1] * at.w[1] + at.v[2] * at.w[2]).hi;
-  const double rho_error = u * u * (6 * at.v_B + 12 * at.v_w_absolute) + underflow_allowance;
+  const double rho_error =
+      widening(query) * u * u * (6 * at.v_B + 12 * at.v_w_absolute) + underflow_allowance;
   const double correction = -rho / at.v_squared;
   if (!comfortable(at.v_squared)) return std::nullopt;
   return RefinedTime{t, correction,
@@ -93,7 +98,7 @@ TPS_WITH_FMA std::optional<RefinedTime> refined_time(const TimingQuery& query, V
   // Smaller or larger times would let products with v underflow or overflow unnoticed.
   if (!(t > 0x1p-500 && t < 0x1p500)) return std::nullopt;
   const StateAt at = state_at(query, t);
-  return verdict == Verdict::turning ? refined_turning(at, t) : refined_hit(query, at, t);
+  return verdict == Verdict::turning ? refined_turning(query, at, t) : refined_hit(query, at, t);
 }
 
 }  // namespace tps::exact

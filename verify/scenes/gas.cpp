@@ -50,7 +50,7 @@ double membrane_radius(int particles, double density) {
 }  // namespace
 
 Scene build_gas(const GasParams& params) {
-  if (params.walls != 0) return build_gas_in_cube(params);
+  if (params.walls != 0 || params.periodic != 0) return build_gas_in_cube(params);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double radius = membrane_radius(params.particles, params.density);
   const auto needed = static_cast<std::size_t>(params.particles);
@@ -112,6 +112,7 @@ SceneBuilder gas_builder() {
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},
        {"grouped", &P::grouped, from_to(0, 1e6),
         "dt_restitute of grouping, well below a mean free time; 0: no grouping"},
+       {"periodic", &P::periodic, from_to(0, 1), "1: in a periodic cube instead of the membrane"},
        {"walls", &P::walls, from_to(0, 1), "1: in a cube of walls instead of the membrane"},
        {"duration", &P::duration, above(0), "time simulated"},
        {"seed", &P::seed, {}, "of the start velocities"}},

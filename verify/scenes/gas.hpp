@@ -14,7 +14,8 @@ struct GasParams {
   double temperature = 1;
   double restitution = 1;
   double grouped = 0;
-  int walls = 0;  ///< 1: in a cube of walls instead of the membrane
+  int periodic = 0;  ///< 1: in a periodic cube instead of the membrane
+  int walls = 0;     ///< 1: in a cube of walls instead of the membrane
   double duration = 10;
   std::uint64_t seed = 1;
 };
@@ -28,7 +29,8 @@ struct GasParams {
 Scene build_gas(const GasParams& params);
 
 /// The same in a cube, [0, edge] along each axis, whose edge is the smallest multiple of 1/1024 with at most
-/// that density; its faces are walls, which touch spheres at half a unit.
+/// that density. It is periodic, or its faces are walls, which touch spheres at half a unit. Throws
+/// std::invalid_argument where it is asked to be both.
 Scene build_gas_in_cube(const GasParams& params);
 SceneBuilder gas_builder();
 

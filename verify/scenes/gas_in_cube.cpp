@@ -38,21 +38,25 @@ std::vector<Coordinates> lattice(int cells, double edge, double corner) {
 }  // namespace
 
 Scene build_gas_in_cube(const GasParams& params) {
+  if (params.walls != 0 && params.periodic != 0)
+    throw std::invalid_argument(
+        "--walls 1 and --periodic 1: the cube has either walls or periodic edges; give one");
+  const bool periodic = params.periodic != 0;
   constexpr double kRadius = 0.5;
   const double edge = cube_edge(params.particles, params.density);
   int cells = 1;
   while (4 * cells * cells * cells < params.particles) ++cells;
   // Between walls the first and last layers of the lattice touch them.
-  const double cube = (edge - 2 * kRadius) / (cells - 0.5);
+  const double cube = periodic ? edge / cells : (edge - 2 * kRadius) / (cells - 0.5);
   if (!(cube > std::numbers::sqrt2 * 2 * kRadius)) {
     throw std::invalid_argument(fmt::format(
         "--particles {} and --density {}: the spheres do not fit into a cube of edge {}; lower the "
         "density or take more particles",
         params.particles, params.density, edge));
   }
-  const std::vector<Coordinates> points = lattice(cells, cube, kRadius);
+  const std::vector<Coordinates> points = lattice(cells, cube, periodic ? 0 : kRadius);
   Scene scene;
-  scene.title = "A hard-sphere gas between walls";
+  scene.title = periodic ? "A hard-sphere gas in a periodic box" : "A hard-sphere gas between walls";
   scene.duration = params.duration;
   scene.seed = params.seed;
   scene.species = {{.name = "sphere", .mass = 1, .radius = kRadius, .max_tethers = {}}};
@@ -61,10 +65,14 @@ Scene build_gas_in_cube(const GasParams& params) {
                   .blocking = BlockingLaw{.distance = 2 * kRadius, .c_rebound = params.restitution},
                   .tethering = {}}};
   if (params.grouped > 0) scene.grouping = Grouping{params.grouped};
-  Wall walls;
-  walls.shape = Wall::Shape::box;
-  walls.high = {edge, edge, edge};
-  scene.walls = {walls};
+  if (periodic) {
+    scene.box = PeriodicEdges{{edge, edge, edge}};
+  } else {
+    Wall walls;
+    walls.shape = Wall::Shape::box;
+    walls.high = {edge, edge, edge};
+    scene.walls = {walls};
+  }
   const auto needed = static_cast<std::size_t>(params.particles);
   for (std::size_t i = 0; i < needed; ++i) {
     scene.particles.push_back({.id = static_cast<std::int32_t>(i),

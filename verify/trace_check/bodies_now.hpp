@@ -51,7 +51,11 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
     const InvolvedParticle<Number>* p = event.of(n);
     return widened<W>(p->velocity_before ? *p->velocity_before : model.flight(n).velocity);
   };
-  b.r = place(event.j) - place(event.i);
+  const Vec<W> apart = place(event.j) - place(event.i);
+  const Vec<W> shift = model.shift_of(model.nearest_image(event.i, event.j, event.t));
+  b.r = apart + shift;
+  // r to an image is a sum of what has been rounded; a difference alone errs in proportion to r.
+  if (length(shift) > W(0)) b.blur += W(model.precision.u) * (length(apart) + length(shift));
   b.v_i = velocity(event.i);
   b.v_j = velocity(event.j);
   b.v = b.v_j - b.v_i;

@@ -77,6 +77,12 @@ void Checker<Number>::judge_ahead(const Instant<Number>& until, const Happening<
     bounds_held_ = bounds_held_ && held;
     return good;
   };
+  if (model_.edges) {
+    for (int i = 0; i < model_.size(); ++i) {
+      for (int j = i + 1; j < model_.size(); ++j) judge_meeting(i, j, until, happening);
+    }
+    return;
+  }
   std::vector<Path> paths;
   for (const int i : neighbours_.short_reaching()) paths.push_back(path_of(i));
   // Exact moments may be behind the end that their computed times are not.

@@ -71,7 +71,8 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
   if constexpr (std::is_same_v<Number, double>) {
     const auto limit = limit_of(model_, event);
     if (c.certified() && limit) {
-      const PairFlight<double> pair = pair_flight(model_, event.i, event.j);
+      const Vec<double> image = model_.nearest_image(event.i, event.j, event.t);
+      const PairFlight<double> pair = pair_flight(model_, event.i, event.j, image);
       auto turn = detail::certified_turn(c, pair, event.i, event.j, *limit);
       if (turn) {
         turn->t = event.t;

@@ -59,6 +59,7 @@ class Model {
   bool eager = false;  ///< everybody is advanced, and rounded, at every event
   std::vector<Flight<Number>> flights;
   std::vector<W> inverse_masses;               ///< 0 for an infinite mass
+  std::optional<Vec<Number>> edges;            ///< of a periodic box; 0 along an open axis
   const std::vector<WallModel<Number>> walls;  ///< surfaces, by their place in surfaces(scene)
   std::vector<Vec<Number>> spins;              ///< of all, where some pair has friction; in the plane along z
   std::vector<std::set<int>> tethers;          ///< formed or listed, by particle
@@ -123,6 +124,24 @@ class Model {
     const Flight<Number>& f = flight(i);
     const W dt = elapsed(f.since, t);
     return widened<W>(f.position) + dt * widened<W>(f.velocity);
+  }
+
+  /// Edges by which j has to be displaced to be nearest to i; nothing without a periodic box.
+  Vec<Number> nearest_image(int i, int j, const Instant<Number>& t) const {
+    using std::floor;
+    Vec<Number> image;
+    if (!edges) return image;
+    const Vec<W> r = position(j, t) - position(i, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((*edges)[k] != Number(0)) image[k] = Number(-floor(W(r[k] / W((*edges)[k]) + W(0.5))));
+    }
+    return image;
+  }
+  /// What an image is displaced by.
+  Vec<W> shift_of(const Vec<Number>& image) const {
+    Vec<W> shift;
+    for (std::size_t k = 0; edges && k < 3; ++k) shift[k] = W(image[k]) * W((*edges)[k]);
+    return shift;
   }
 
   /// How far a particle may be from its straight line by the event that is being judged, `asked`.
@@ -209,6 +228,13 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   for (const Tether& tether : scene.tethers) {
     tethers[at(tether.i)].insert(tether.j);
     tethers[at(tether.j)].insert(tether.i);
+  }
+  if (scene.box) {
+    edges.emplace();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double edge = scene.box->edges[k];
+      (*edges)[k] = std::isinf(edge) ? Number(0) : stored<Number>(edge, precision);
+    }
   }
   for (std::size_t n = 0; n < scene.phases.size(); ++n) {
     phase_changes.push_back({scene.phases[n].from, true, n});

@@ -16,11 +16,16 @@ template <typename Number>
 struct PairFlight {
   Instant<Number> start;
   Vec<Number> u_i, u_j, v_i, v_j;
-  Work<Number> blur{0};  ///< how far the distance of the two may be off
+  Work<Number> blur{0};      ///< how far the distance of the two may be off
+  Vec<Number> image, edges;  ///< j is meant displaced by so many edges of a periodic box
 
   RelativeFlight<Work<Number>> relative() const {
     using W = Work<Number>;
-    return {widened<W>(u_j) - widened<W>(u_i), widened<W>(v_j) - widened<W>(v_i), blur};
+    return {widened<W>(u_j) + shift() - widened<W>(u_i), widened<W>(v_j) - widened<W>(v_i), blur};
+  }
+  Vec<Work<Number>> shift() const {
+    using W = Work<Number>;
+    return {{W(image[0]) * W(edges[0]), W(image[1]) * W(edges[1]), W(image[2]) * W(edges[2])}};
   }
 };
 
@@ -69,9 +74,31 @@ PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j) {
   return pair;
 }
 
+/// The same with an image of j. Where it is rounded to the scalar, the difference of the places, the shift
+/// and their sum have a rounding each, of their own sizes.
+template <typename Number>
+PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j, const Vec<Number>& image) {
+  using W = Work<Number>;
+  PairFlight<Number> pair = pair_flight(model, i, j);
+  if (image == Vec<Number>{}) return pair;
+  pair.image = image;
+  pair.edges = *model.edges;
+  const W size = length(widened<W>(pair.u_j) - widened<W>(pair.u_i)) + length(pair.shift());
+  pair.blur += W(4) * model.precision.u * size;
+  return pair;
+}
+
 /// The question in doubles, for exact answers.
 inline TimingQuery timing_query(const PairFlight<double>& pair, bool outer, double L) {
-  return {outer ? TimingKind::tether : TimingKind::block, pair.u_i.x, pair.u_j.x, pair.v_i.x, pair.v_j.x, L};
+  return {outer ? TimingKind::tether : TimingKind::block,
+          pair.u_i.x,
+          pair.u_j.x,
+          pair.v_i.x,
+          pair.v_j.x,
+          L,
+          {},
+          pair.image.x,
+          pair.edges.x};
 }
 
 }  // namespace tps::check

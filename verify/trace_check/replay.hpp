@@ -55,7 +55,7 @@ template <typename Number>
 Replay replay_of_time(const PairFlight<Number>& pair, bool outer, const Work<Number>& L, int dimension) {
   ReplayInput in(dimension);
   in.vector("u_A", pair.u_i)
-      .vector("u_B", pair.u_j)
+      .vector("u_B", widened<Work<Number>>(pair.u_j) + pair.shift())
       .vector("v_A", pair.v_i)
       .vector("v_B", pair.v_j)
       .number("L", L);

@@ -21,6 +21,12 @@ class Cells final : public Detector<Scalar, D> {
   /// From how many particles on cells are faster than all pairs (docs/performance.md).
   static constexpr int kWorthwhile = 16;
 
+  /// Whether a scene's box, if it has one, is wide enough to go round it by cells.
+  static bool fits(const Scene& scene, const TimingChoice& timing) {
+    return !scene.box || RegionPlan::of<Scalar>(scene, timing).fits_into(*scene.box, D);
+  }
+
+  /// REQUIRES fits().
   Cells(const World<Scalar, D>& world, const TimingChoice& timing,
         const typename PairPredictor<Scalar, D>::Effects& effects)
       : predictor_(effects), neighbourhood_(world, timing) {}
@@ -89,6 +95,7 @@ class Cells final : public Detector<Scalar, D> {
     queue_.reset(world.particles.size());
     everyone_knows_all_ = everywhere;
     looks_since_event_ = 0;
+    asked_at_ = world.now;
     for (int i = 0; i < world.size(); ++i) {
       if (!everywhere && neighbourhood_.has_level(world, i)) set_look(world, i, world.now);
     }
@@ -145,23 +152,27 @@ class Cells final : public Detector<Scalar, D> {
   void set_look(const World<Scalar, D>& world, int i, const Time<Scalar>& t) {
     Time<Scalar>& look = outlooks_[at(i)].look;
     look = Time<Scalar>::never();
-    if (neighbourhood_.roams(i)) return;
+    if (neighbourhood_.roams(i) && !world.box) return;
     const auto leaves = neighbourhood_.leaves(world, i, t);
     if (leaves) {
       look = *leaves;
     } else {
       neighbourhood_.set_free(world, i);
+      if (world.box) look = *neighbourhood_.leaves(world, i, t);
     }
   }
 
   /// A particle leaves its region: it is filed anew, and asked about those whom it can meet from there only.
   void look(World<Scalar, D>& world, int i) {
-    if (++looks_since_event_ > most_looks(world)) {
+    if (++looks_since_event_ > most_looks(world) && !world.box) {
       start(world, true);
       return;
     }
     const Time<Scalar> t = outlooks_[at(i)].look;
-    const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
+    std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
+    // What was near may have been so by another image.
+    if (world.box) left.reset();
+    asked_at_ = t;
     set_look(world, i, t);
     for (const int j : around(world, i, left)) ask(world, i, j);
     queue_.schedule(i, outlooks_[at(i)].due());
@@ -177,10 +188,16 @@ class Cells final : public Detector<Scalar, D> {
   /// Takes the next event of a pair into the outlooks of both. An infinite mass has none: it never changes,
   /// so that its partner's is enough.
   void ask(const World<Scalar, D>& world, int i, int j) {
-    const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+    const std::optional<Event> event =
+        predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
     if (!event) return;
     add(world, i, j, *event);
     if (add(world, j, i, *event)) queue_.schedule(j, outlooks_[at(j)].due());
+  }
+
+  /// Images are those of now, or of the last look where that was later: looks come in their order.
+  Time<Scalar> time_of_asking(const World<Scalar, D>& world) const {
+    return world.now < asked_at_ ? asked_at_ : world.now;
   }
 
   bool add(const World<Scalar, D>& world, int i, int partner, const Event& event) {
@@ -216,7 +233,8 @@ class Cells final : public Detector<Scalar, D> {
     if (outlook.knows_first() || outlook.due() == Time<Scalar>::never()) return true;
     outlook.clear();
     for (const int j : around(world, i, {})) {
-      const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+      const std::optional<Event> event =
+          predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
       if (event) add(world, i, j, *event);
     }
     queue_.schedule(i, outlook.due());
@@ -241,7 +259,8 @@ class Cells final : public Detector<Scalar, D> {
     const Outlook<Scalar>& outlook = outlooks_[at(i)];
     if (outlook.complete_until() <= latest) {
       for (const int j : around(world, i, {})) {
-        const std::optional<Event> event = predictor_.earliest(world, std::min(i, j), std::max(i, j));
+        const std::optional<Event> event =
+            predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
         if (event && event->time <= latest) events.push_back(*event);
       }
       return;
@@ -261,6 +280,7 @@ class Cells final : public Detector<Scalar, D> {
   std::vector<int> due_, neighbours_;
   std::vector<std::size_t> ends_;
   std::uint64_t looks_since_event_ = 0;
+  Time<Scalar> asked_at_;  ///< of the last look
   bool everyone_knows_all_ = false;
 };
 

@@ -20,7 +20,11 @@ template <typename Scalar, int D>
 class Neighbourhood {
  public:
   explicit Neighbourhood(const World<Scalar, D>& world, const TimingChoice& timing)
-      : plan_(RegionPlan::of<Scalar>(world.scene, timing)) {}
+      : plan_(RegionPlan::of<Scalar>(world.scene, timing)) {
+    if (!world.scene.box) return;
+    wraps_.assign(world.particles.size(), {});
+    longest_roam_ = plan_.longest_roam(*world.scene.box, D);
+  }
 
   /// Files every particle at its place now; with `everywhere` it is visited by all, wherever it is.
   void place_all(const World<Scalar, D>& world, bool everywhere) {
@@ -95,13 +99,15 @@ class Neighbourhood {
     const RegionLevel& level = plan_.levels()[at(level_of(world, i))];
     const Region<D>& region = filed_[at(i)].region;
     const double half = plan_.margin() / 2;
+    if (roams(i)) return after_roaming(p, now);
     double dt = HUGE_VAL;
     double speed = 0;
     for (int k = 0; k < D; ++k) {
       const double u = static_cast<double>(p.position[k]);
       const double v = static_cast<double>(p.velocity[k]);
       if (v == 0) continue;
-      const double low = region[at(k)] * level.side;
+      double low = region[at(k)] * level.side;
+      if (world.box) low += wraps_[at(i)][at(k)] * static_cast<double>(world.box->edges()[k]);
       const double bound = v > 0 ? low + level.side + half : low - half;
       dt = std::min(dt, (bound - u) / v);
       speed += std::fabs(v);
@@ -109,7 +115,19 @@ class Neighbourhood {
     if (speed == 0) return Time<Scalar>::never();
     dt = std::min(dt, plan_.longest_flight() / speed);
     if (!(dt > static_cast<double>(elapsed(p.clock, now)))) return std::nullopt;
-    return after(p.clock, Scalar(dt));
+    // In a narrow scalar what is left may round to nothing: a look has to be later than the one before.
+    const Time<Scalar> leaving = after(p.clock, Scalar(dt));
+    if (!(now < leaving)) return std::nullopt;
+    return leaving;
+  }
+
+  /// When a particle that no region keeps is to be asked for its images again; never in unbounded space.
+  std::optional<Time<Scalar>> after_roaming(const ParticleState<Scalar, D>& p,
+                                            const Time<Scalar>& now) const {
+    double speed = 0;
+    for (int k = 0; k < D; ++k) speed = std::max(speed, std::fabs(static_cast<double>(p.velocity[k])));
+    if (wraps_.empty() || speed == 0) return Time<Scalar>::never();
+    return after(now, Scalar(longest_roam_ / speed));
   }
 
   /// Appends everyone whom a particle can meet, some more than once. Those whom it could meet from the region
@@ -134,7 +152,11 @@ class Neighbourhood {
       const double reach = plan_.reach(species, static_cast<int>(level));
       if (reach < 0) continue;
       const std::size_t begin = found.size();
-      search(level, range_around(world, i, filed_[at(i)].region, level, reach), found);
+      if (world.box) {
+        search_images(world, i, level, reach, found);
+      } else {
+        search(level, range_around(world, i, filed_[at(i)].region, level, reach), found);
+      }
       RegionRange<D> known{};
       if (left) known = range_around(world, i, *left, level, plan_.known(species, static_cast<int>(level)));
       std::size_t kept = begin;
@@ -150,7 +172,7 @@ class Neighbourhood {
   }
 
  private:
-  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+  static constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
   int level_of(const World<Scalar, D>& world, int i) const { return plan_.level(world.species(i)); }
 
   void roam(int i) {
@@ -161,8 +183,9 @@ class Neighbourhood {
   /// The region of a particle at a time, or nothing where it cannot be kept in one.
   std::optional<Region<D>> region_now(const World<Scalar, D>& world, int i, const Time<Scalar>& t) const {
     const ParticleState<Scalar, D>& p = world.particles[at(i)];
-    const Vector<Scalar, D> place = world.position(i, t);
+    Vector<Scalar, D> place = world.position(i, t);
     const RegionLevel& level = plan_.levels()[at(level_of(world, i))];
+    const std::array<double, static_cast<std::size_t>(D)> wrapped = wrap(world, i, place);
     Region<D> region;
     double largest = 0;
     double speed = 0;
@@ -175,11 +198,51 @@ class Neighbourhood {
       largest = std::max({largest, std::fabs(u), std::fabs(x)});
       speed += v;
       flight += std::fabs(x - u);
-      const double scaled = std::floor(x / level.side);
+      const double scaled = std::floor(wrapped[at(k)] / level.side);
       region[at(k)] = std::fabs(scaled) < 0x1p30 ? static_cast<std::int32_t>(scaled) : 0;
     }
     if (!plan_.keeps(largest, speed, flight, static_cast<double>(t.hi))) return std::nullopt;
     return region;
+  }
+
+  /// Coordinates in the box; how many edges they are off is kept.
+  std::array<double, static_cast<std::size_t>(D)> wrap(const World<Scalar, D>& world, int i,
+                                                       const Vector<Scalar, D>& place) const {
+    std::array<double, static_cast<std::size_t>(D)> inside{};
+    for (int k = 0; k < D; ++k) {
+      const double x = static_cast<double>(place[k]);
+      const double edge = world.box ? static_cast<double>(world.box->edges()[k]) : 0;
+      const double n = edge > 0 ? std::floor(x / edge) : 0;
+      inside[at(k)] = x - n * edge;
+      if (edge > 0) wraps_[at(i)][at(k)] = n;
+    }
+    return inside;
+  }
+
+  /// The search with what is around shifted by an edge up and down along each axis, where that reaches into
+  /// the box again.
+  void search_images(const World<Scalar, D>& world, int i, std::size_t level, double reach,
+                     std::vector<int>& found) const {
+    const double own = plan_.levels()[at(level_of(world, i))].side;
+    const double other = plan_.levels()[level].side;
+    const Region<D>& region = filed_[at(i)].region;
+    const int shifts = D == 3 ? 27 : 9;
+    for (int n = 0; n < shifts; ++n) {
+      RegionRange<D> range;
+      bool is_inside = true;
+      int digits = n;
+      for (std::size_t k = 0; k < region.size(); ++k, digits /= 3) {
+        const double edge = static_cast<double>(world.box->edges()[static_cast<int>(k)]);
+        const int turn = digits % 3 - 1;
+        if (edge == 0 && turn != 0) is_inside = false;
+        const double low = region[k] * own - reach + turn * edge;
+        const double high = (region[k] + 1.0) * own + reach + turn * edge;
+        is_inside = is_inside && (edge == 0 || (high >= -other && low <= edge + other));
+        range.low[k] = static_cast<std::int32_t>(std::floor(low / other));
+        range.high[k] = static_cast<std::int32_t>(std::floor(high / other));
+      }
+      if (is_inside) search(level, range, found);
+    }
   }
 
   RegionRange<D> range_around(const World<Scalar, D>& world, int i, const Region<D>& region,
@@ -209,7 +272,7 @@ class Neighbourhood {
   void find_partners_for_ever(const World<Scalar, D>& world, int i, std::vector<int>& found) const {
     for (const RegionPlan::Permanent& partner : plan_.permanent(world.species(i))) {
       for (const int j : of_species_[at(partner.species)]) {
-        if (j != i && (roams(j) || is_within_reach(world, i, j, partner))) found.push_back(j);
+        if (j != i && (world.box || roams(j) || is_within_reach(world, i, j, partner))) found.push_back(j);
       }
     }
   }
@@ -240,6 +303,10 @@ class Neighbourhood {
   std::vector<std::vector<int>> of_species_;
   std::vector<bool> roams_;
   std::vector<int> roaming_;
+  /// In a periodic box: how many edges each filed particle is off, and how far others may fly between two
+  /// looks.
+  mutable std::vector<std::array<double, static_cast<std::size_t>(D)>> wraps_;
+  double longest_roam_ = 0;
 };
 
 }  // namespace tps

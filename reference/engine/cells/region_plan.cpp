@@ -3,6 +3,8 @@
 #include <numeric>
 #include <optional>
 
+#include "reference/engine/periodic_box.hpp"
+
 namespace tps {
 namespace {
 
@@ -65,6 +67,7 @@ bool is_dilute(const Scene& scene, std::size_t species, double size) {
 
 RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smallest, bool literal)
     : permanent_(scene.species.size()), largest_(largest), smallest_component_(literal ? smallest : 0) {
+  longest_interaction_ = longest_interaction(scene);
   const Distances d(scene);
   const std::size_t n = d.count();
   level_of_.assign(n, kNone);
@@ -146,6 +149,19 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       known = std::min(known, other - margin_ / 2);
     }
   }
+}
+
+double RegionPlan::spare_room(const PeriodicEdges& box, int dimension) const {
+  double side = 0;
+  for (const RegionLevel& level : levels_) side = std::max(side, level.side);
+  double room = kInfinity;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    room = std::min(room, (box.edges[k] / 2 - longest_interaction_) * (63. / 64));
+  return room - 2 * (side + 2 * margin_);
+}
+
+bool RegionPlan::fits_into(const PeriodicEdges& box, int dimension) const {
+  return !levels_.empty() && spare_room(box, dimension) > 4 * margin_;
 }
 
 }  // namespace tps

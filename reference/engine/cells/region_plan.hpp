@@ -55,6 +55,16 @@ class RegionPlan {
   };
   const std::vector<Permanent>& permanent(int species) const { return permanent_[at(species)]; }
 
+  /// Whether in a periodic box two particles that stay in their regions, widened by the margin, can meet by
+  /// no image but the one that was nearest (docs/effects.md, "Periodic box"). False where there are no
+  /// regions.
+  bool fits_into(const PeriodicEdges& box, int dimension) const;
+  /// How far along an axis a particle that no region keeps may fly before it is asked for its images again.
+  /// REQUIRES fits_into().
+  double longest_roam(const PeriodicEdges& box, int dimension) const {
+    return spare_room(box, dimension) / 4;
+  }
+
   /// h: regions are wider by it on every side.
   double margin() const { return margin_; }
   /// Whether a particle can be kept in regions: rounding stays within the margin, and no square leaves the
@@ -71,12 +81,15 @@ class RegionPlan {
   RegionPlan(const Scene& scene, double u, double largest, double smallest, bool literal);
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+  /// W/2 − L less what two particles in their regions can move relative to each other.
+  double spare_room(const PeriodicEdges& box, int dimension) const;
 
   std::vector<RegionLevel> levels_;
   std::vector<int> level_of_;
   std::vector<double> reach_, known_;
   std::vector<std::vector<Permanent>> permanent_;
   double margin_ = 0;
+  double longest_interaction_ = 0;
   double longest_coordinate_ = 0;
   double longest_flight_ = 0;
   double longest_path_ = 0;

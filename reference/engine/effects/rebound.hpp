@@ -18,8 +18,10 @@ class Rebound final : public Effect<Scalar, D> {
 
   std::optional<LimitQuestion<Scalar>> asks(const World<Scalar, D>& world, int i, int j) const override {
     const auto& blocking = world.law(i, j).blocking;
-    if (!blocking || world.responded.contains(i, j, Limit::inner)) return std::nullopt;
-    return LimitQuestion<Scalar>{TimingKind::block, blocking->distance, false};
+    if (!blocking) return std::nullopt;
+    const bool has_responded = world.responded.contains(i, j, Limit::inner);
+    if (has_responded && !world.box) return std::nullopt;
+    return LimitQuestion<Scalar>{TimingKind::block, blocking->distance, has_responded};
   }
 
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
@@ -30,8 +32,9 @@ class Rebound final : public Effect<Scalar, D> {
     Collision<Scalar, D> collision = collision_now(world, i, j, Limit::inner);
     observe_collision(world, collision, blocking.distance);
     // Exactly: a pair that approaches by less than v_n resolves is turned, if only by directed rounding.
-    const bool approaching = normal_sign<Scalar, D>(record.involved[0].position, record.involved[1].position,
-                                                    world.velocity(i), world.velocity(j)) < 0;
+    const PairPlaces<Scalar, D> places = world.places(i, j);
+    const bool approaching = normal_sign<Scalar, D>(places.u_i, places.u_j, world.velocity(i),
+                                                    world.velocity(j), places.exact()) < 0;
     const Scalar c = blocking.c_rebound;
     if (approaching && collision.frame.v_n < Scalar(0)) {
       collision.dp = collision_impulse<Scalar, D>(collision.frame, collision.mass_i, collision.mass_j, c);

@@ -6,6 +6,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
@@ -83,7 +84,12 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
                             c.pair(event.i, event.j));
   });
   if (!limit || model.groups.together(event.i, event.j)) return;
-  if (!outer && model.responded(event.i, event.j, false)) {
+  const PairFlight<Number> pair =
+      pair_flight(model, event.i, event.j, model.nearest_image(event.i, event.j, event.t));
+  // In a periodic box it may be another image that it meets (D28).
+  const bool other_image =
+      model.edges && detail::exact_sign(pair.u_i, pair.u_j, pair.v_i, pair.v_j, pair.image, pair.edges) < 0;
+  if (!outer && model.responded(event.i, event.j, false) && !other_image) {
     c.tally.demand(Rule::contact, false, [&](Finding& f) {
       f.message =
           fmt::format("{} has rebounded already, and neither of the two has changed its velocity since",
@@ -93,7 +99,6 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
     });
     return;
   }
-  const PairFlight<Number> pair = pair_flight(model, event.i, event.j);
   const RelativeFlight<W> relative = pair.relative();
   const Quadratic<W> q = quadratic_of(relative, limit->L, c.u(), c.timing, c.scale());
   const W dt = elapsed(pair.start, event.t);

@@ -28,21 +28,24 @@ boost::multiprecision::cpp_rational exactly(const Number& x) {
 
 /// The sign of (u_j − u_i)·(v_j − v_i): by working precision where that is beyond doubt, else by fractions.
 template <typename Number>
-int exact_sign(const Vec<Number>& u_i, const Vec<Number>& u_j, const Vec<Number>& v_i,
-               const Vec<Number>& v_j) {
+int exact_sign(const Vec<Number>& u_i, const Vec<Number>& u_j, const Vec<Number>& v_i, const Vec<Number>& v_j,
+               const Vec<Number>& image = {}, const Vec<Number>& edges = {}) {
   using W = Work<Number>;
   using std::abs;
   W sum(0), size(0);
   for (std::size_t k = 0; k < 3; ++k) {
-    const W term = (W(u_j[k]) - W(u_i[k])) * (W(v_j[k]) - W(v_i[k]));
-    sum += term;
-    size += abs(term);
+    const W v = W(v_j[k]) - W(v_i[k]);
+    for (const W& term : {W((W(u_j[k]) - W(u_i[k])) * v), W(W(image[k]) * W(edges[k]) * v)}) {
+      sum += term;
+      size += abs(term);
+    }
   }
   if (abs(sum) > W(16) * std::numeric_limits<W>::epsilon() * size + (std::numeric_limits<W>::min)())
     return sum > W(0) ? 1 : -1;
   boost::multiprecision::cpp_rational exact = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    exact += (exactly(u_j[k]) - exactly(u_i[k])) * (exactly(v_j[k]) - exactly(v_i[k]));
+    exact += (exactly(u_j[k]) - exactly(u_i[k]) + exactly(image[k]) * exactly(edges[k])) *
+             (exactly(v_j[k]) - exactly(v_i[k]));
   return exact.sign();
 }
 
@@ -55,8 +58,10 @@ void judge_direction(const Context<Number>& c, const EventLine<Number>& event, b
   const InvolvedParticle<Number>* i = event.of(event.i);
   const InvolvedParticle<Number>* j = event.of(event.j);
   if (i == nullptr || j == nullptr || !i->position_before || !j->position_before) return;
-  const int sign = detail::exact_sign<Number>(*i->position_before, *j->position_before, i->velocity_after,
-                                              j->velocity_after);
+  const Vec<Number> image = c.model.nearest_image(event.i, event.j, event.t);
+  const int sign =
+      detail::exact_sign<Number>(*i->position_before, *j->position_before, i->velocity_after,
+                                 j->velocity_after, image, c.model.edges.value_or(Vec<Number>{}));
   const bool rests = i->velocity_after == j->velocity_after;
   c.tally.demand(Rule::impulse, outer ? sign < 0 || rests : sign >= 0, [&](Finding& f) {
     f.message = fmt::format(

@@ -6,6 +6,7 @@
 #include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/bounds.hpp"
+#include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
@@ -223,7 +224,39 @@ bool stayed_clear(const Context<Number>& c, int i, int j, const PairRules<Number
 
 }  // namespace detail
 
-/// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening.
+/// The images of j that i can have come near to within `reach` during a flight, by each axis for itself;
+/// nothing else than j itself without a periodic box.
+template <typename Number>
+std::vector<Vec<Number>> images_on_the_way(const Model<Number>& model, int i, int j, const Work<Number>& dt,
+                                           const Work<Number>& reach) {
+  using std::ceil;
+  using std::floor;
+  using W = Work<Number>;
+  std::vector<Vec<Number>> images = {Vec<Number>{}};
+  if (!model.edges) return images;
+  const PairFlight<Number> pair = pair_flight(model, i, j);
+  const RelativeFlight<W> flight = pair.relative();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const W edge((*model.edges)[k]);
+    if (edge == W(0)) continue;
+    const W from = flight.r[k], to = flight.r[k] + dt * flight.v[k];
+    const W wide = reach + edge / W(64);  // for rounding of places
+    const W first = ceil(W((-wide - std::max(from, to)) / edge));
+    const W last = floor(W((wide - std::min(from, to)) / edge));
+    std::vector<Vec<Number>> more;
+    for (W n = first; n <= last; n += W(1)) {
+      for (Vec<Number> image : images) {
+        image[k] = Number(n);
+        more.push_back(image);
+      }
+    }
+    images = std::move(more);
+  }
+  return images;
+}
+
+/// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening; in a
+/// periodic box with every image on the way. A tether holds the image that is nearest at the start.
 template <typename Number>
 Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& until,
                  const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
@@ -233,25 +266,36 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
   const bool tethered = model.tethered(i, j);
   Asked result;
   if ((!rules.blocks && !tethered) || model.groups.together(i, j)) return result;
-  if (happening.until != Until::ever && detail::stayed_clear(c, i, j, rules, tethered, rough(until)))
+  if (happening.until != Until::ever && !model.edges &&
+      detail::stayed_clear(c, i, j, rules, tethered, rough(until)))
     return result;
-  const PairFlight<Number> pair = pair_flight(model, i, j);
-  if (until < pair.start) return result;
-  const auto judge = [&](const LimitAsked<W>& asked, bool is_asked) {
-    const LimitFlight<Number> flight{i,
-                                     j,
-                                     pair,
-                                     asked,
-                                     quadratic_of(pair.relative(), asked.L, c.u(), c.timing, c.scale()),
-                                     elapsed(pair.start, until)};
+  const Instant<Number>& start = std::max(model.flight(i).since, model.flight(j).since);
+  if (until < start) return result;
+  const W dt = elapsed(start, until);
+  const auto judge = [&](const PairFlight<Number>& pair, const LimitAsked<W>& asked, bool is_asked) {
+    LimitFlight<Number> flight{
+        i, j, pair, asked, quadratic_of(pair.relative(), asked.L, c.u(), c.timing, c.scale()), dt};
+    // In a periodic box a pair that has rebounded meets another image, if one, and from afar (D28).
+    if (asked.responded && !asked.outer)
+      is_asked = is_asked && flight.q.c > flight.q.q_error &&
+                 detail::exact_sign(pair.u_i, pair.u_j, pair.v_i, pair.v_j, pair.image, pair.edges) < 0;
     const Asked one = judge_limit(c, flight, is_asked, latest, happening, told);
     result.earliest = result.earliest && one.earliest;
     result.bounds = result.bounds && one.bounds;
   };
+  const Vec<Number> met = happening.is(i, j, false) ? model.nearest_image(i, j, happening.t) : Vec<Number>{};
   if (rules.blocks) {
-    judge({false, W(rules.inner), false}, !model.responded(i, j, false) && !happening.is(i, j, false));
+    const bool responded = model.responded(i, j, false);
+    for (const Vec<Number>& image : images_on_the_way(model, i, j, dt, W(rules.inner))) {
+      const bool happens = happening.is(i, j, false) && image == met;
+      judge(pair_flight(model, i, j, image), {false, W(rules.inner), responded && model.edges.has_value()},
+            !happens && (!responded || model.edges));
+    }
   }
-  if (tethered) judge({true, W(rules.outer), model.responded(i, j, true)}, !happening.is(i, j, true));
+  if (tethered) {
+    judge(pair_flight(model, i, j, model.nearest_image(i, j, start)),
+          {true, W(rules.outer), model.responded(i, j, true)}, !happening.is(i, j, true));
+  }
   return result;
 }
 
