@@ -85,7 +85,7 @@ namespace detail {
 
 template <typename Scalar, int D>
 bool leaves(Leaving leaving, const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
-            const PairVelocities<Scalar, D>& v, const PeriodicImage<Scalar, D>* image) {
+            const PairVelocities<Scalar, D>& v, const PeriodicImage<Scalar, D>* image = nullptr) {
   const int sign = normal_sign<Scalar, D>(u_A, u_B, v.v_A, v.v_B, image);
   if (leaving == Leaving::apart) return sign >= 0;
   return sign < 0 || v.v_A == v.v_B;

@@ -19,7 +19,7 @@ struct PeriodicImage {
 
   Scalar shift(int k) const { return n[k] * edges[k]; }
 
-  /// Four roundings: of the difference, the product and the sum, each of its own size, |n·edge| at most.
+  /// Three roundings: of the difference, the product and the sum, each of its own size, |n·edge| at most.
   Vector<Scalar, D> difference(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B) const {
     Vector<Scalar, D> r = u_B - u_A;
     for (int k = 0; k < D; ++k) r[k] += shift(k);
