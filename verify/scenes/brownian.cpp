@@ -5,14 +5,7 @@
 namespace tps {
 
 Scene build_brownian(const BrownianParams& params) {
-  GasParams gas;
-  gas.particles = params.particles;
-  gas.density = params.density;
-  gas.temperature = params.temperature;
-  gas.restitution = params.restitution;
-  gas.duration = params.duration;
-  gas.seed = params.seed;
-  Scene scene = build_gas(gas);
+  Scene scene = build_gas(gas_of(params));
   scene.title = "Vesicles moved by random impulses";
   scene.species[1].random_impulses = RandomImpulses{params.tau, params.shape, params.mean};
   return scene;

@@ -20,6 +20,19 @@ struct GasParams {
   std::uint64_t seed = 1;
 };
 
+/// The gas in a membrane from which a scene with the same six parameters is made.
+template <typename Params>
+GasParams gas_of(const Params& params) {
+  GasParams gas;
+  gas.particles = params.particles;
+  gas.density = params.density;
+  gas.temperature = params.temperature;
+  gas.restitution = params.restitution;
+  gas.duration = params.duration;
+  gas.seed = params.seed;
+  return gas;
+}
+
 /// Spheres on a face-centred cubic lattice that fills the membrane evenly, with Maxwell velocities without
 /// total momentum; the lattice melts within a few mean free times. `density` is the number of spheres over
 /// the volume of the membrane's ball, whose radius is the smallest multiple of 1/1024 with at most that

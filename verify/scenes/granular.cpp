@@ -5,14 +5,7 @@
 namespace tps {
 
 Scene build_granular(const GranularParams& params) {
-  GasParams gas;
-  gas.particles = params.particles;
-  gas.density = params.density;
-  gas.temperature = params.temperature;
-  gas.restitution = params.restitution;
-  gas.duration = params.duration;
-  gas.seed = params.seed;
-  Scene scene = build_gas(gas);
+  Scene scene = build_gas(gas_of(params));
   scene.title = "A granular gas that cools";
   for (PairLaw& law : scene.pairs) {
     if (law.blocking && params.mu > 0) law.friction = FrictionLaw{params.mu, params.beta0};

@@ -5,14 +5,7 @@
 namespace tps {
 
 Scene build_rough(const RoughParams& params) {
-  GasParams gas;
-  gas.particles = params.particles;
-  gas.density = params.density;
-  gas.temperature = params.temperature;
-  gas.restitution = params.restitution;
-  gas.duration = params.duration;
-  gas.seed = params.seed;
-  Scene scene = build_gas(gas);
+  Scene scene = build_gas(gas_of(params));
   scene.title = "Rough spheres in a spherical membrane";
   for (PairLaw& law : scene.pairs) {
     if (law.blocking) law.friction = FrictionLaw{params.mu, params.beta0};

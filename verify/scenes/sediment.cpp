@@ -5,14 +5,7 @@
 namespace tps {
 
 Scene build_sediment(const SedimentParams& params) {
-  GasParams gas;
-  gas.particles = params.particles;
-  gas.density = params.density;
-  gas.temperature = params.temperature;
-  gas.restitution = params.restitution;
-  gas.duration = params.duration;
-  gas.seed = params.seed;
-  Scene scene = build_gas(gas);
+  Scene scene = build_gas(gas_of(params));
   scene.title = "Spheres that settle under gravity";
   scene.gravity = Gravity{{0, 0, -params.gravity}, params.every};
   if (params.tau > 0) scene.species[1].thermostat = Thermostat{params.tau, params.temperature};
