@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "reference/engine/drag_clock.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/exact/drag_time.hpp"
 #include "verify/trace_check/check.hpp"
@@ -20,6 +20,8 @@ namespace {
 
 using nlohmann::json;
 using testing::add_particle;
+using testing::first_finding;
+using testing::with_line;
 
 Scene busy(unsigned seed) {
   Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
@@ -39,17 +41,9 @@ Scene busy(unsigned seed) {
 }
 
 check::CheckReport checked(const std::string& bytes) {
-  const std::string path = testing::scratch("drag.ndjson");
-  testing::write_bytes(path, bytes);
   check::CheckOptions options;
   options.max_reports = 1000;
-  const check::CheckReport report = check::check_trace(path, options);
-  std::filesystem::remove(path);
-  return report;
-}
-
-std::string first_finding(const check::CheckReport& report) {
-  return report.findings.empty() ? "" : report.findings.front().message;
+  return testing::checked(bytes, options);
 }
 
 std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
@@ -81,23 +75,6 @@ TEST(Drag, HonestRunsConform) {
   EXPECT_GE(breaks, 10U);
 }
 
-/// A trace with its line `which` of those that have the key changed.
-template <typename Edit>
-std::string with(const testing::TracedRun& run, const char* key, int which, Edit edit) {
-  std::string bytes;
-  int seen = 0;
-  for (const std::string& line : run.lines) {
-    json event = json::parse(line);
-    if (event.contains(key) && seen++ == which) {
-      edit(event);
-      bytes += event.dump() + "\n";
-    } else {
-      bytes += line + "\n";
-    }
-  }
-  return bytes;
-}
-
 void move(json& hex, double towards) {
   hex = to_hex(std::nextafter(std::strtod(hex.get<std::string>().c_str(), nullptr), towards));
 }
@@ -108,19 +85,20 @@ TEST(Drag, LiesAreTold) {
     for (const int which : {1, 7}) {
       for (const double towards : {0., 1e9}) {
         const auto time = [&](json& event) { move(event["t"], towards); };
-        EXPECT_EQ(violated(checked(with(run, "ds", which, time)), check::Rule::order), 1U) << seed;
-        EXPECT_GT(violated(checked(with(run, "state", which % 2, time)), check::Rule::states), 0U) << seed;
+        EXPECT_EQ(violated(checked(with_line(run, "ds", which, time)), check::Rule::order), 1U) << seed;
+        EXPECT_GT(violated(checked(with_line(run, "state", which % 2, time)), check::Rule::states), 0U)
+            << seed;
         const auto clock = [&](json& event) { move(event["s"], towards); };
-        EXPECT_GT(violated(checked(with(run, "ds", which, clock)), check::Rule::order), 0U) << seed;
-        EXPECT_GT(violated(checked(with(run, "end", 0, clock)), check::Rule::end), 0U) << seed;
+        EXPECT_GT(violated(checked(with_line(run, "ds", which, clock)), check::Rule::order), 0U) << seed;
+        EXPECT_GT(violated(checked(with_line(run, "end", 0, clock)), check::Rule::end), 0U) << seed;
       }
       const auto renamed = [](json& event) {
         event["dt"] = event["ds"];
         event.erase("ds");
       };
-      EXPECT_GT(violated(checked(with(run, "ds", which, renamed)), check::Rule::schema), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "ds", which, renamed)), check::Rule::schema), 0U) << seed;
       const auto without = [](json& event) { event.erase("s"); };
-      EXPECT_GT(violated(checked(with(run, "ds", which, without)), check::Rule::schema), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "ds", which, without)), check::Rule::schema), 0U) << seed;
     }
   }
 }

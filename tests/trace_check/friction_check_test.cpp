@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/check.hpp"
 
@@ -17,6 +17,9 @@ namespace {
 
 using nlohmann::json;
 using testing::add_particle;
+using testing::checked;
+using testing::first_finding;
+using testing::with_line;
 
 Scene busy(unsigned seed) {
   Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
@@ -38,18 +41,6 @@ Scene busy(unsigned seed) {
   add_particle(scene, big, {-1.2, -1.5, 0}, {.3, .4, 0});
   add_particle(scene, big, {1.2, -1.5, 0}, {-.2, .5, 0});
   return scene;
-}
-
-check::CheckReport checked(const std::string& bytes) {
-  const std::string path = testing::scratch("friction.ndjson");
-  testing::write_bytes(path, bytes);
-  const check::CheckReport report = check::check_trace(path, {});
-  std::filesystem::remove(path);
-  return report;
-}
-
-std::string first_finding(const check::CheckReport& report) {
-  return report.findings.empty() ? "" : report.findings.front().message;
 }
 
 std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
@@ -83,23 +74,6 @@ TEST(Friction, HonestRunsConform) {
   EXPECT_GE(slides, 100U);
 }
 
-/// A trace with line `which` of those where friction acted changed.
-template <typename Edit>
-std::string with(const testing::TracedRun& run, const char* key, int which, Edit edit) {
-  std::string bytes;
-  int seen = 0;
-  for (const std::string& line : run.lines) {
-    json event = json::parse(line);
-    if (event.contains(key) && seen++ == which) {
-      edit(event);
-      bytes += event.dump() + "\n";
-    } else {
-      bytes += line + "\n";
-    }
-  }
-  return bytes;
-}
-
 void add(json& hex, double by) {
   hex = to_hex(std::strtod(hex.get<std::string>().c_str(), nullptr) + by);
 }
@@ -114,20 +88,23 @@ TEST(Friction, LiesAreTold) {
         return side;
       };
       const auto faster = [&](json& event) { add(first_with_spin(event["post"])[0], 1e-11); };
-      EXPECT_GT(violated(checked(with(run, "contact", which, faster)), check::Rule::impulse), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "contact", which, faster)), check::Rule::impulse), 0U)
+          << seed;
       const auto jumped = [&](json& event) { add(first_with_spin(event["pre"])[0], 1e-11); };
-      EXPECT_GT(violated(checked(with(run, "contact", which, jumped)), check::Rule::bystanders), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "contact", which, jumped)), check::Rule::bystanders), 0U)
+          << seed;
       const auto pushed = [](json& event) { add(event["dp"][1], 1e-11); };
-      EXPECT_GT(violated(checked(with(run, "contact", which, pushed)), check::Rule::impulse), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "contact", which, pushed)), check::Rule::impulse), 0U)
+          << seed;
       const auto other = [](json& event) {
         event["contact"] = event["contact"] == "sticks" ? "slides" : "sticks";
       };
-      EXPECT_EQ(violated(checked(with(run, "contact", which, other)), check::Rule::impulse), 1U) << seed;
+      EXPECT_EQ(violated(checked(with_line(run, "contact", which, other)), check::Rule::impulse), 1U) << seed;
       const auto silent = [](json& event) {
         for (const char* side : {"pre", "post"})
           for (auto& [id, particle] : event[side].items()) particle.erase("spin");
       };
-      EXPECT_GT(violated(checked(with(run, "contact", which, silent)), check::Rule::schema), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "contact", which, silent)), check::Rule::schema), 0U) << seed;
       // All spins that friction makes are turned the other way: the balance tells, beside the law.
       const auto reversed = [](json& event) {
         for (auto& [id, particle] : event["post"].items())
@@ -135,14 +112,15 @@ TEST(Friction, LiesAreTold) {
             for (auto& x : particle["spin"])
               x = to_hex(-std::strtod(x.get<std::string>().c_str(), nullptr) + .125);
       };
-      EXPECT_GT(violated(checked(with(run, "contact", which, reversed)), check::Rule::impulse), 0U) << seed;
+      EXPECT_GT(violated(checked(with_line(run, "contact", which, reversed)), check::Rule::impulse), 0U)
+          << seed;
     }
     const auto of_state = [](json& event) {
       event.erase("checksum");
       for (auto& particle : event["particles"])
         if (particle.contains("spin")) return add(particle["spin"][0], 1e-9);
     };
-    EXPECT_GT(violated(checked(with(run, "state", 1, of_state)), check::Rule::states), 0U) << seed;
+    EXPECT_GT(violated(checked(with_line(run, "state", 1, of_state)), check::Rule::states), 0U) << seed;
   }
 }
 
@@ -153,8 +131,8 @@ TEST(Friction, NothingTurnsWithoutIt) {
     for (const char* side : {"pre", "post"})
       for (auto& [id, particle] : event[side].items()) particle["spin"] = json::array({"0x1p+0"});
   };
-  EXPECT_GT(violated(checked(with(run, "tether", 0, turned)), check::Rule::bystanders) +
-                violated(checked(with(run, "kind", 1, turned)), check::Rule::bystanders),
+  EXPECT_GT(violated(checked(with_line(run, "tether", 0, turned)), check::Rule::bystanders) +
+                violated(checked(with_line(run, "kind", 1, turned)), check::Rule::bystanders),
             0U);
 }
 

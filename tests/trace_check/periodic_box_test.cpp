@@ -8,6 +8,7 @@
 
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/check.hpp"
 
@@ -15,6 +16,8 @@ namespace tps {
 namespace periodic_boxes_in_traces {
 
 using nlohmann::json;
+using testing::checked;
+using testing::first_finding;
 
 /// Balls that are tethered by their collisions at times, in a box that is periodic in x and y, in space
 /// between two walls; two of them alone in the plane; rough ones of seed 7, with drag of seed 8.
@@ -56,18 +59,6 @@ testing::TracedRun honest(const Scene& scene, const std::string& scalar, Timing 
   options.timing = timing;
   options.certifier = &certifier;
   return testing::traced(scene, options);
-}
-
-check::CheckReport checked(const std::string& bytes) {
-  const std::string path = testing::scratch("box.ndjson");
-  testing::write_bytes(path, bytes);
-  const check::CheckReport report = check::check_trace(path, {});
-  std::filesystem::remove(path);
-  return report;
-}
-
-std::string first_finding(const check::CheckReport& report) {
-  return report.findings.empty() ? "" : report.findings.front().message;
 }
 
 TEST(CheckOfPeriodicBox, HonestRunsConform) {

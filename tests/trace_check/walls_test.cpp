@@ -9,6 +9,7 @@
 #include "reference/run/resume.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/check.hpp"
 
@@ -16,6 +17,8 @@ namespace tps {
 namespace walls_in_traces {
 
 using nlohmann::json;
+using testing::checked;
+using testing::first_finding;
 
 /// Balls of two kinds in a box with an obstacle, a leaning plane and a hollow that moves; with gravity at
 /// times.
@@ -61,18 +64,6 @@ testing::TracedRun honest(const Scene& scene, const std::string& scalar, Timing 
   options.timing = timing;
   options.certifier = &certifier;
   return testing::traced(scene, options);
-}
-
-check::CheckReport checked(const std::string& bytes) {
-  const std::string path = testing::scratch("walls.ndjson");
-  testing::write_bytes(path, bytes);
-  const check::CheckReport report = check::check_trace(path, {});
-  std::filesystem::remove(path);
-  return report;
-}
-
-std::string first_finding(const check::CheckReport& report) {
-  return report.findings.empty() ? "" : report.findings.front().message;
 }
 
 TEST(CheckOfWalls, HonestRunsConform) {
