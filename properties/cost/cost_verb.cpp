@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "properties/cost/foreign_variant.hpp"
 #include "properties/implementations/program.hpp"
@@ -16,24 +17,24 @@
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
-#include "verify/cost/levels.hpp"
-#include "verify/cost/measure.hpp"
+#include "verify/cost/questions.hpp"
+#include "verify/cost/wanted.hpp"
+#include "verify/cost/whole_study.hpp"
 
 namespace tps::cli {
 namespace {
 
 using namespace tps::cost;
 
+/// What was asked for; absent where nothing was said.
 struct CostArguments {
-  StudyOptions options;
-  std::vector<std::string> variants, strata, case_names, words;
-  std::optional<int> questions_given;
-  std::uint64_t events = 3000;  // of each run of --runs, at most
+  StudyPlan plan;
+  std::vector<std::string> variants, words;
+  std::optional<int> questions, repetitions;
+  std::optional<std::uint64_t> seed, events;
   std::string from, json, csv, page, format = "text";
-  bool responses = false, runs = false, model = false, cases = false, quick = false, without_times = false,
-       quiet = false;
-
-  bool is_of_questions() const { return !responses && !runs && !model && !cases; }
+  bool queries = false, responses = false, runs = false, model = false, cases = false;
+  bool quick = false, without_times = false, quiet = false;
 };
 
 std::vector<std::string> variant_names() {
@@ -54,99 +55,111 @@ std::vector<std::string> names_of_cases() {
   return names;
 }
 
-bool wanted(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// The baseline is always among them, since ratios are taken against it.
 std::vector<Variant> wanted_variants(const std::vector<std::string>& names,
                                      const std::vector<std::string>& words) {
   std::vector<Variant> result;
   for (const Variant& variant : variants()) {
-    if (variant.name == kBaseline || wanted(names, variant.name)) result.push_back(variant);
+    if (variant.name == kBaseline || is_wanted(names, variant.name)) result.push_back(variant);
   }
   if (!words.empty()) result.push_back(properties::foreign_variant(words));
   return result;
 }
 
-/// The strata that a file of an earlier, interrupted call has; its settings and variants must be these.
-Json resumed(const std::string& path, const Json& fresh) {
+/// The study as an earlier, interrupted call has left it; its settings must be these.
+Json resumed(const std::string& path, Json fresh) {
   if (path.empty() || path == "-" || !std::filesystem::exists(path)) return fresh;
-  const Json stored = read_study(path);
-  for (const char* key : {"settings", "formulas", "variants", "machine"}) {
-    if (stored.at(key) != fresh.at(key)) {
-      throw InputError({{path, 0, std::string("/") + key,
-                         "is of another study; remove the file, or name another one by --json"}});
-    }
+  Json stored = read_study(path);
+  const std::string difference = difference_of_plans(stored, fresh);
+  if (!difference.empty()) {
+    throw InputError(
+        {{path, 0, difference, "is of another study; remove the file, or name another one by --json"}});
   }
+  adopt_levels(stored, fresh);
   return stored;
 }
 
-bool has_stratum(const Json& study, const std::string& name) {
-  const Json& strata = study.at("strata");
-  return std::any_of(strata.begin(), strata.end(), [&](const Json& s) { return s.at("name") == name; });
-}
-
 Json measured(const CostArguments& a) {
-  const std::vector<Variant> chosen = wanted_variants(a.variants, a.words);
-  Json study = resumed(a.json, study_json(a.options, chosen, this_machine()));
-  for (const Hazard& hazard : hazards()) {
-    if (!wanted(a.strata, hazard.name) || has_stratum(study, hazard.name)) continue;
-    if (!a.quiet) say("tps: {} ({} of {})\n", hazard.name, study.at("strata").size() + 1, hazards().size());
-    StratumResult result = measure_accuracy(hazard, a.options, chosen);
-    if (!a.without_times) measure_times(result, a.options, chosen);
-    study["strata"].push_back(stratum_json(result));
-    if (!a.json.empty() && a.json != "-") write_result(a.json, study_text(study));
-    if (interrupt::requested()) throw interrupt::Interrupted();
-  }
-  return study;
-}
-
-/// A level above single questions.
-Json measured_level(const CostArguments& a) {
+  Json study = resumed(a.json, planned(a.plan, this_machine()));
   const Announce announce = [&](const std::string& what) {
     if (!a.quiet) say("tps: {}\n", what);
     interrupt::check();
   };
-  if (a.cases) {
-    std::vector<CaseResult> results;
-    for (const HardCase& one : hard_cases()) {
-      if (!wanted(a.case_names, one.name)) continue;
-      announce(one.name);
-      results.push_back(measure_case(one));
+  measure_study(a.plan, study, announce, [&](const Json& so_far) {
+    if (!a.json.empty() && a.json != "-") write_result(a.json, study_text(so_far));
+  });
+  return study;
+}
+
+/// A choice that only one level heeds.
+struct Choice {
+  const char* option;
+  Level level;
+};
+constexpr Choice kChoices[] = {{"--variant", Level::queries},     {"--stratum", Level::queries},
+                               {"--repetitions", Level::queries}, {"--without-times", Level::queries},
+                               {"command", Level::queries},       {"--events", Level::runs},
+                               {"--case", Level::cases}};
+
+/// The levels that are named or, where none is, those that the choices are about; without either all.
+std::vector<Level> levels_of(const CLI::App& verb, const CostArguments& a) {
+  std::set<Level> levels;
+  if (a.queries) levels.insert(Level::queries);
+  if (a.responses) levels.insert(Level::responses);
+  if (a.runs) levels.insert(Level::runs);
+  if (a.model) levels.insert(Level::model);
+  if (a.cases) levels.insert(Level::cases);
+  const bool is_named = !levels.empty();
+  const auto settle = [&](const char* option, std::initializer_list<Level> heeded_by) {
+    if (verb.count(option) == 0) return;
+    if (!is_named) levels.insert(heeded_by);
+    const bool is_heeded =
+        std::any_of(heeded_by.begin(), heeded_by.end(), [&](Level level) { return levels.contains(level); });
+    if (!is_heeded) {
+      throw CLI::ValidationError(
+          fmt::format("{} changes nothing of the levels that are named; leave one of the two out", option));
     }
-    return cases_json(results, this_machine());
+  };
+  for (const Choice& choice : kChoices) settle(choice.option, {choice.level});
+  settle("--scene", {Level::runs, Level::model});
+  if (is_named) {
+    settle("--questions", {Level::queries, Level::responses});
+    settle("--seed", {Level::queries, Level::responses, Level::runs, Level::model});  // hard cases are fixed
   }
-  if (a.responses) {
-    ResponseLevelOptions options;
-    options.seed = a.options.seed;
-    options.questions = a.questions_given.value_or(options.questions);
-    options.announce = announce;
-    return responses_json(measure_responses(options), this_machine());
+  if (levels.empty()) {
+    return {Level::queries, Level::responses, Level::runs, Level::model, Level::cases};
   }
-  if (a.model) return model_json(measure_model({a.options.seed, announce}), this_machine());
-  RunLevelOptions options;
-  options.seed = a.options.seed;
-  options.events = a.events;
-  options.announce = announce;
-  return runs_json(measure_runs(options), this_machine());
+  return {levels.begin(), levels.end()};
+}
+
+/// The plan with what was said put into it.
+void settle_plan(const CLI::App& verb, CostArguments& a) {
+  StudyPlan plan = a.quick ? quick_plan() : full_plan();
+  plan.strata = a.plan.strata;
+  plan.scenes = a.plan.scenes;
+  plan.cases = a.plan.cases;
+  plan.with_times = !a.without_times;
+  plan.levels = levels_of(verb, a);
+  plan.variants = wanted_variants(a.variants, a.words);  // starts a command
+  plan.questions.seed = a.seed.value_or(plan.questions.seed);
+  plan.questions.repetitions = a.repetitions.value_or(plan.questions.repetitions);
+  plan.questions.questions = a.questions.value_or(plan.questions.questions);
+  plan.response_questions = a.questions.value_or(plan.response_questions);
+  plan.events = a.events.value_or(plan.events);
+  a.plan = plan;
 }
 
 constexpr const char* kCostFooter =
-    R"(Measures ways to compute the time of eq. (2), on the strata of the known answers, against the exact answer: nanoseconds
-a question, wrong verdicts, error of the time (docs/accuracy-cost.md). Times are of this thread's CPU; nothing is decided by them.
-With --json FILE a call that was interrupted goes on where the file ends.
+    R"(One study, one page: single questions (eq. 2, on the strata of the known answers, against the exact answer), responses (eqs. 4, 5, 7),
+whole runs, the model's own numbers, hard cases; or those levels alone that are named (docs/accuracy-cost.md). Times are of this thread's
+CPU; nothing is decided by them. With --json FILE a call that was interrupted goes on where the file ends.
 Examples: tps cost --quick --page cost.html
+          tps cost --json cost.json --page cost.html
           tps cost --quick --stratum graze --variant stable-double,certified-time
           tps cost --from cost.json --page cost.html
           tps cost --quick --variant stable-double --page mine.html -- python3 mine.py
-          tps cost --responses --csv responses.csv
-          tps cost --runs --page runs.html
-          tps cost --model --csv model.csv
-          tps cost --hard-cases)";
-
-/// Tells more than --quick asks: rates of ten in a million show, and intervals are narrow.
-constexpr StudyOptions kFull{1, 50'000, 1024, 31};
+          tps cost --runs --scene gas --events 500
+          tps cost --hard-cases --case grazing-train)";
 
 void run_cost(const CostArguments& a) {
   NamedFiles()
@@ -155,9 +168,7 @@ void run_cost(const CostArguments& a) {
       .writes("--csv", a.csv)
       .writes("--page", a.page)
       .require_distinct();
-  const Json study = !a.from.empty()       ? read_study(a.from)
-                     : a.is_of_questions() ? measured(a)
-                                           : measured_level(a);
+  const Json study = a.from.empty() ? measured(a) : read_study(a.from);
   if (!a.json.empty()) write_result(a.json, study_text(study));
   if (!a.csv.empty()) write_result(a.csv, report_csv(study));
   if (!a.page.empty()) write_result(a.page, report_page(study));
@@ -166,37 +177,54 @@ void run_cost(const CostArguments& a) {
   }
 }
 
-/// Levels instead of single questions, with the same outputs. What would change only the questions is refused
-/// beside them.
+constexpr const char* kLevels[] = {"--queries", "--responses", "--runs", "--model", "--hard-cases"};
+
 void add_levels(CLI::App& verb, CostArguments& a) {
-  CLI::Option* const levels[] = {
-      verb.add_flag("--responses", a.responses,
-                    "Responses instead: eqs. (4), (5) and (7) in each scalar, against enclosures"),
-      verb.add_flag("--runs", a.runs,
-                    "Whole runs instead: events a second, drift, horizon, in each scalar and timing"),
-      verb.add_flag("--model", a.model, "The model's own numbers instead: dt_restitute and theta_revolve"),
-      verb.add_flag("--hard-cases", a.cases,
-                    "Hard cases instead, by name, and which arithmetic is good enough for each")};
-  for (CLI::Option* const level : levels) {
-    for (const char* other :
-         {"--variant", "--stratum", "--questions", "--repetitions", "--without-times", "--quick"}) {
-      const bool has_questions = level == levels[0] && std::string_view(other) == "--questions";
-      if (!has_questions) level->excludes(verb.get_option(other));
-    }
-    for (CLI::Option* const another : levels) {
-      if (another != level) level->excludes(another);
-    }
-  }
-  levels[3]->excludes(verb.get_option("--seed"));  // its scenes are fixed
-  verb.add_option("--events", a.events, "Events of each of the runs, at most")
-      ->check(integer_from(1, "a number of events"))
-      ->capture_default_str()
-      ->needs(levels[1]);
-  verb.add_option("--case", a.case_names, "Only these hard cases")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(names_of_cases()))
-      ->needs(levels[3]);
+  verb.add_flag("--queries", a.queries,
+                "Single questions: the time of eq. (2), each variant on each stratum");
+  verb.add_flag("--responses", a.responses, "Eqs. (4), (5) and (7) in each scalar, against enclosures");
+  verb.add_flag("--runs", a.runs,
+                "Whole runs: events a second, drift, horizon in each scalar and timing; what is proven");
+  verb.add_flag("--model", a.model, "The model's own numbers: dt_restitute and theta_revolve");
+  verb.add_flag("--hard-cases", a.cases, "Hard cases by name, and which arithmetic is good enough for each");
+}
+
+/// A list of names behind an option.
+void add_names(CLI::App& verb, const char* option, std::vector<std::string>& to, const char* what,
+               const std::vector<std::string>& all) {
+  verb.add_option(option, to, what)->delimiter(',')->allow_extra_args(false)->check(CLI::IsMember(all));
+}
+
+void add_choices(CLI::App& verb, CostArguments& a) {
+  add_names(verb, "--variant", a.variants, "Only these ways to compute", variant_names());
+  add_names(verb, "--stratum", a.plan.strata, "Only these strata (tps vectors list)", stratum_names());
+  add_names(verb, "--scene", a.plan.scenes, "Only these scenes of --runs and --model", study_scenes());
+  add_names(verb, "--case", a.plan.cases, "Only these hard cases", names_of_cases());
+  verb.add_option("--questions", a.questions,
+                  "Questions of each stratum (default: 50000; 2000 if quick; 200 and 20 of responses)")
+      ->check(CLI::Range(1, 10'000'000));
+  verb.add_option("--repetitions", a.repetitions,
+                  "Repetitions of each loop of single questions (default: 31; 9 if quick)")
+      ->check(CLI::Range(1, 10'000));
+  verb.add_option("--events", a.events, "Events of each of the runs, at most (default: 3000; 800 if quick)")
+      ->check(integer_from(1, "a number of events"));
+  verb.add_option("--seed", a.seed, "Which questions, which start of the gas")
+      ->check(integer_from(0, "a seed"));
+  verb.add_flag("--without-times", a.without_times,
+                "Verdicts and errors of single questions only: the same on every machine");
+}
+
+void add_outputs(CLI::App& verb, CostArguments& a) {
+  CLI::Option* const from =
+      verb.add_option("--from", a.from, "Shows a stored study (JSON) instead of measuring");
+  for (const char* level : kLevels) from->excludes(level);
+  verb.add_option("--json", a.json, "Where the study goes as JSON (data/schemas/cost.schema.json)");
+  verb.add_option("--csv", a.csv, "Where it goes as CSV");
+  verb.add_option("--page", a.page, "Where it goes as a page with figures");
+  verb.add_option("--format", a.format, "Of what is printed")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  verb.add_flag("--quiet", a.quiet, "No progress");
 }
 
 }  // namespace
@@ -204,55 +232,20 @@ void add_levels(CLI::App& verb, CostArguments& a) {
 void add_cost(CLI::App& app, int& exit_code) {
   const auto a = std::make_shared<CostArguments>();
   CLI::App* verb = app.add_subcommand("cost", "What accuracy costs in time.");
-  verb->add_flag("--quick", a->quick, "Fewer questions and repetitions: a minute");
-  verb->add_option("--variant", a->variants, "Only these ways to compute")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(variant_names()));
-  verb->add_option("--stratum", a->strata, "Only these strata (tps vectors list)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(stratum_names()));
-  verb->add_option("--questions", a->options.questions,
-                   "Questions of each stratum (default: 50000; 2000; 200 of responses)")
-      ->check(CLI::Range(1, 10'000'000));
-  verb->add_option("--repetitions", a->options.repetitions, "Repetitions of each loop (default: 31; 9)")
-      ->check(CLI::Range(1, 10'000));
-  verb->add_option("--seed", a->options.seed, "Which questions")->check(integer_from(0, "a seed"));
-  verb->add_flag("--without-times", a->without_times, "Verdicts and errors only: the same on every machine");
+  verb->add_flag("--quick", a->quick, "Much less of everything: a minute");
   add_levels(*verb, *a);
-  verb->add_option("--from", a->from, "Shows a stored study (JSON) instead of measuring")
-      ->excludes("--responses")
-      ->excludes("--runs")
-      ->excludes("--model")
-      ->excludes("--hard-cases");
-  verb->add_option("--json", a->json, "Where the study goes as JSON (data/schemas/cost.schema.json)");
-  verb->add_option("--csv", a->csv, "Where it goes as CSV");
-  verb->add_option("--page", a->page, "Where it goes as a page with figures");
-  verb->add_option("--format", a->format, "Of what is printed")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
-  verb->add_flag("--quiet", a->quiet, "No progress");
-  CLI::Option* const words = verb->add_option(
-      "command", a->words, "Behind --: a program of yours that speaks the protocol, measured beside ours");
-  for (const char* level : {"--responses", "--runs", "--model", "--hard-cases", "--from"}) {
-    words->excludes(verb->get_option(level));
-  }
+  add_choices(*verb, *a);
+  add_outputs(*verb, *a);
+  verb->add_option("command", a->words,
+                   "Behind --: a program of yours that speaks the protocol, measured beside ours")
+      ->excludes("--from");
   verb->footer(kCostFooter);
   verb->callback([=, &exit_code] {
-    const StudyOptions given = a->options;
-    StudyOptions defaults = a->quick ? StudyOptions{} : kFull;
-    if (verb->count("--questions") > 0) {
-      defaults.questions = given.questions;
-      a->questions_given = given.questions;
-    }
-    if (verb->count("--repetitions") > 0) defaults.repetitions = given.repetitions;
-    defaults.seed = given.seed;
-    a->options = defaults;
     if (a->words.empty() ? command_line_has_dashes() : a->words[0].empty()) {
       throw CLI::ValidationError("nothing stands behind --; name a command there, or leave -- out");
     }
     try {
+      if (a->from.empty()) settle_plan(*verb, *a);
       run_cost(*a);
       exit_code = kDone;
     } catch (const properties::ProgramError& error) {

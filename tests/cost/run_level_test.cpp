@@ -30,6 +30,7 @@ TEST(Horizons, OnAStraightLineAreFittedExactly) {
 TEST(Horizons, OfAShortRunSeparateFloatFromTheRest) {
   RunLevelOptions options;
   options.events = 300;
+  options.proves_stored = false;
   const RunLevel level = measure_runs(options);
   EXPECT_EQ(level.rows.size(), 28U) << "two scenes, six scalars, paper and stable, certified for two";
   for (const RunRow& row : level.rows) {
@@ -37,6 +38,11 @@ TEST(Horizons, OfAShortRunSeparateFloatFromTheRest) {
     EXPECT_EQ(row.horizon.has_value(), row.scene == "gas" && row.scalar == "float")
         << row.scalar << " " << row.timing;
     EXPECT_GT(row.events_per_second, 0);
+  }
+  ASSERT_EQ(level.proven.size(), 2U);
+  for (const ProvenRow& row : level.proven) {
+    EXPECT_EQ(row.events, row.scene == "gas" ? 300U : 70U) << "every start has them";
+    EXPECT_FALSE(row.parts_at) << "the run in 100 digits has others";
   }
   EXPECT_TRUE(level.fits.empty()) << "one horizon makes no line";
 }

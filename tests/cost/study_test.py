@@ -104,6 +104,7 @@ def test_bad_files(folder):
 def level_study(folder, *arguments):
     """A level's JSON, whose table has a row for each run and whose page comes again from the stored study."""
     study_file, table_file, page_file, again = (folder / name for name in ("level.json", "level.csv", "level.html", "level_again.html"))
+    study_file.unlink(missing_ok=True)  # else the levels come to those that it has
     text = cost(*arguments, "--quiet", "--json", study_file, "--csv", table_file, "--page", page_file).stdout
     study = json.loads(study_file.read_text())
     jsonschema.Draft202012Validator(json.loads((root / "data/schemas/cost.schema.json").read_text())).validate(study)
@@ -117,11 +118,17 @@ def level_study(folder, *arguments):
 
 def test_runs(folder):
     study, rows, page = level_study(folder, "--runs", "--events", "60")
+    rows = [row for row in rows if row["level"] == "runs"]
     runs = study["runs"]["rows"]
     check([(r["scene"], r["scalar"], r["timing"]) for r in rows] == [(r["scene"], r["scalar"], r["timing"]) for r in runs], "other rows")
     check(all(float(row["events_per_second"]) == run["events_per_second"] for row, run in zip(rows, runs)), "other rates")
     check(all(r["events"] <= 70 for r in runs) and any(r["events"] == 60 for r in runs), "--events is not heeded")
-    check(len(figures_of(page)[1]) == len(runs), "a mark for each rate")
+    horizons, rates = figures_of(page)
+    check(len(rates) == len(runs), "a mark for each rate")
+    proven = study["runs"]["proven"]
+    check([(p["scene"], p["events"]) for p in proven if p["starts"] == "rounding"] == [("gas", 60), ("three-body", 60)], f"proven is {proven}")
+    check(not any("parts_at" in p for p in proven), "the run in 100 digits has another event than is proven")
+    check(sum("proven" in mark for mark in horizons) == len(proven), "a mark for each proof")
 
 
 def test_command(folder):
@@ -166,13 +173,40 @@ def test_hard_cases(folder):
     study, rows, page = level_study(folder, "--hard-cases", "--case", "grazing-train,retract-boundary")
     train, boundary = study["cases"]
     check(train["good_enough"] == "double stable" and train["good_enough"] in page, "what is good enough for a grazing train")
+    check(train["proven_bits"] == 64 and "unproven" in boundary, "what proves a grazing train")
     check(boundary.get("rests_on_ties") and "good_enough" not in boundary, "to agree on a tie is luck")
     check(len(rows) == sum(len(c["outcomes"]) for c in study["cases"]), "a row for each outcome")
 
 
+def test_whole_study(folder):
+    """All levels in one file and on one page; taken up in the middle of each level, what was there stays as it was."""
+    chosen = ["--queries", "--responses", "--runs", "--model", "--hard-cases", "--quick", "--questions", "3", "--repetitions", "1", "--events", "20", "--variant", "stable-double",
+              "--stratum", "plain,graze", "--scene", "three-body,cradle,revolution", "--case", "resting,grazing-train"]
+    study, rows, page = level_study(folder, *chosen)
+    sections = re.findall(r"<h2 id=\"([a-z-]+)\"", page)
+    check(sections == ["queries", "responses", "runs", "grouping", "revolution", "cases"] and all(f'href="#{s}"' in page for s in sections), f"sections {sections}")
+    check({row["level"] for row in rows} == {"queries", "responses", "runs", "proven", "grouping", "revolution", "cases"}, "levels of the table")
+    part = json.loads(json.dumps(study))
+    part["strata"].pop()
+    part["cases"].pop()
+    part["model"]["revolution"] = []
+    lost = part["responses"]["rows"][-1]["stratum"], part["responses"]["rows"][-1]["op"]
+    part["responses"]["rows"] = [r for r in part["responses"]["rows"] if (r["stratum"], r["op"]) != lost]
+    part["runs"] |= {"rows": [], "proven": [], "fits": []}
+    taken_up = folder / "taken_up.json"
+    taken_up.write_text(json.dumps(part))
+    said = cost(*chosen, "--json", taken_up).stderr
+    check(len(re.findall(r"\(\d+ of \d+\)", said)) == 5, f"five parts were missing, measured: {said}")
+    again = json.loads(taken_up.read_text())
+    check(again["strata"][0] == study["strata"][0] and again["model"]["grouping"] == study["model"]["grouping"], "what was there is another")
+    check(again["model"] == study["model"] and again["cases"] == study["cases"], "what is the same on every machine is another")
+    check([r["scalar"] for r in again["responses"]["rows"]] == [r["scalar"] for r in study["responses"]["rows"]], "other responses")
+    check("/runs/events" in cost(*["30" if word == "20" else word for word in chosen], "--json", taken_up, expect=3).stderr, "another study is not named")
+
+
 def test_refusals(folder):
-    for arguments in (["--runs", "--quick"], ["--runs", "--model"], ["--model", "--stratum", "plain"], ["--hard-cases", "--seed", "2"], ["--case", "huge"],
-                      ["--runs", "--from", "x.json"], ["--runs", "--questions", "5"], ["--hard-cases", "--case", "guessed"], ["--events", "5"]):
+    for arguments in (["--model", "--stratum", "plain"], ["--hard-cases", "--seed", "2"], ["--runs", "--case", "huge"], ["--runs", "--from", "x.json"],
+                      ["--runs", "--questions", "5"], ["--hard-cases", "--case", "guessed"], ["--queries", "--events", "5"], ["--responses", "--scene", "gas"]):
         message = cost(*arguments, expect=2).stderr
         check(arguments[0] in message or arguments[-2] in message, f"{arguments}: {message}")
     half = folder / "half.json"
@@ -186,6 +220,6 @@ def test_refusals(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_command, test_responses, test_runs, test_model, test_hard_cases, test_refusals):
+    for test in (test_reports, test_accuracy_is_reproducible_and_resumable, test_sample, test_bad_files, test_command, test_responses, test_runs, test_model, test_hard_cases, test_whole_study, test_refusals):
         test(pathlib.Path(name))
 print("the study, its table, its text and its page agree")

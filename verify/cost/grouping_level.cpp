@@ -4,6 +4,7 @@
 
 #include "verify/cost/model_level.hpp"
 #include "verify/cost/traced_run.hpp"
+#include "verify/cost/wanted.hpp"
 #include "verify/scenes/cradle.hpp"
 #include "verify/scenes/terminal.hpp"
 #include "verify/scenes/three_body.hpp"
@@ -94,6 +95,7 @@ std::uint64_t collisions(const RunSummary& run) {
 
 void measure_grouping(ModelLevel& level, const ModelLevelOptions& options) {
   for (Subject& subject : subjects(options.seed)) {
+    if (!is_wanted(options.scenes, subject.name)) continue;
     options.announce(subject.name);
     const TracedRun truth = run_of(subject.scene);
     if (subject.name == "three-body") subject.velocities = velocities_of(truth.summary);
@@ -123,11 +125,15 @@ void measure_grouping(ModelLevel& level, const ModelLevelOptions& options) {
   }
 }
 
+std::vector<std::string> model_scenes() {
+  return {"three-body", "collapse", "cradle", "terminal", "revolution"};
+}
+
 ModelLevel measure_model(const ModelLevelOptions& options) {
   ModelLevel level;
   level.seed = options.seed;
   measure_grouping(level, options);
-  measure_revolution(level, options);
+  if (is_wanted(options.scenes, "revolution")) measure_revolution(level, options);
   return level;
 }
 

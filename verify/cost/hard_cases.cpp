@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/text/input_error.hpp"
+#include "verify/cost/enclosed_run.hpp"
 #include "verify/cost/traced_run.hpp"
 
 namespace tps::cost {
@@ -49,7 +50,33 @@ CaseOutcome outcome(const HardCase& one, const Scene& scene, const Arithmetic& a
   return result;
 }
 
+/// Whether affine arithmetic of so many bits proves all that the case has; else why not.
+std::string failure_of(const HardCase& one, const Scene& scene, long bits, const TracedRun& truth) {
+  const EnclosedRun run = enclosed_run(scene, {Starts::stored, bits, one.events});
+  const bool all =
+      run.events == truth.events && (run.ends_by == "end") == (truth.summary.end != "max_events");
+  return all ? "" : run.ends_by;
+}
+
+/// More digits prove more, so the first that are enough are found by bisection.
+void prove(CaseResult& result, const HardCase& one, const Scene& scene, const TracedRun& truth) {
+  result.unproven = one.right_by == RightBy::events ? why_not_enclosed(scene) : "ties or no end";
+  if (!result.unproven.empty()) return;
+  const std::vector<long>& digits = proof_digits();
+  result.unproven = failure_of(one, scene, digits.back(), truth);
+  if (!result.unproven.empty()) return;
+  const auto enough = std::partition_point(digits.begin(), digits.end() - 1, [&](long bits) {
+    return !failure_of(one, scene, bits, truth).empty();
+  });
+  result.proven_bits = *enough;
+}
+
 }  // namespace
+
+const std::vector<long>& proof_digits() {
+  static const std::vector<long> digits = {24, 53, 64, 113, 200, 400};
+  return digits;
+}
 
 const CaseOutcome* CaseResult::good_enough() const {
   if (right_by == RightBy::nothing) return nullptr;
@@ -61,9 +88,10 @@ const CaseOutcome* CaseResult::good_enough() const {
 CaseResult measure_case(const HardCase& one) {
   const Scene scene = one.scene();
   const TracedRun truth = run(scene, one.events, {"mp100", Timing::stable});
-  CaseResult result{one.name, one.what, truth.summary.events, truth.summary.end, one.right_by, {}};
+  CaseResult result{one.name, one.what, truth.summary.events, truth.summary.end, one.right_by, {}, {}, {}};
   for (const Arithmetic& arithmetic : kLadder)
     result.outcomes.push_back(outcome(one, scene, arithmetic, truth));
+  prove(result, one, scene, truth);
   return result;
 }
 

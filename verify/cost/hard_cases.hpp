@@ -23,6 +23,7 @@ struct HardCase {
   std::function<Scene()> scene;
   std::uint64_t events;  ///< at most, of a run
   RightBy right_by = RightBy::events;
+  bool is_long = false;  ///< takes a quarter of a minute: left out of a quick study
 };
 
 /// Seeds are fixed: the table is the same everywhere.
@@ -45,10 +46,17 @@ struct CaseResult {
   std::string end;           ///< of that run
   RightBy right_by = RightBy::events;
   std::vector<CaseOutcome> outcomes;
+  /// The fewest of proof_digits() in which affine arithmetic proves every event of the stored scene and its
+  /// end (enclosed_run.hpp), by bisection; absent where none does, or the scene is not of that kind.
+  std::optional<long> proven_bits;
+  std::string unproven;  ///< where it is absent, why
 
   /// The first, in the order of cost, that is right; null where there is none.
   const CaseOutcome* good_enough() const;
 };
+
+/// 24, 53, 64, 113, 200, 400.
+const std::vector<long>& proof_digits();
 
 /// A case in float, double (as printed, stable, certified), long double, quad and mp50, against mp100.
 CaseResult measure_case(const HardCase& one);

@@ -192,7 +192,7 @@ std::vector<HardCase> hard_cases() {
       {"theta-most", "a pair that circles with theta = 90 - 1e-6 degrees",
        [] { return circling_pair(90 - 1e-6, 0.5); }, kFew},
       {"cage", "43 spheres as close as their cage takes them", [] { return gas(43, 0.88); }, kFew},
-      {"contacts", "a row of 10^4 touching balls", touching_row, 20'000}};
+      {"contacts", "a row of 10^4 touching balls", touching_row, 20'000, RightBy::events, true}};
 }
 
 }  // namespace tps::cost

@@ -4,10 +4,6 @@
 namespace tps::cost {
 namespace {
 
-Json study_of(const Machine& machine) {
-  return {{"cost", 1}, {"machine", machine_json(machine)}};
-}
-
 Json row_json(const RunRow& row) {
   Json json{{"scene", row.scene},
             {"scalar", row.scalar},
@@ -20,6 +16,16 @@ Json row_json(const RunRow& row) {
             {"energy_remainder", rounded(row.energy_remainder)},
             {"worst_excess", rounded(row.worst_excess)}};
   if (row.horizon) json["horizon"] = *row.horizon;
+  return json;
+}
+
+Json row_json(const ProvenRow& row) {
+  Json json{{"scene", row.scene},
+            {"starts", row.every_start ? "rounding" : "stored"},
+            {"bits", row.bits},
+            {"events", row.events},
+            {"ends_by", row.ends_by}};
+  if (row.parts_at) json["parts_at"] = *row.parts_at;
   return json;
 }
 
@@ -79,13 +85,18 @@ Json case_json(const CaseResult& one) {
   Json json{{"name", one.name}, {"what", one.what}, {"events", one.events}, {"end", one.end}};
   if (one.right_by == RightBy::nothing) json["rests_on_ties"] = true;
   if (const CaseOutcome* good = one.good_enough()) json["good_enough"] = good->scalar + " " + good->timing;
+  if (one.proven_bits) {
+    json["proven_bits"] = *one.proven_bits;
+  } else {
+    json["unproven"] = one.unproven;
+  }
   json["outcomes"] = outcomes;
   return json;
 }
 
 }  // namespace
 
-Json runs_json(const RunLevel& level, const Machine& machine) {
+Json runs_json(const RunLevel& level) {
   Json fits = Json::array();
   for (const HorizonFit& fit : level.fits) {
     fits.push_back({{"scene", fit.scene},
@@ -95,13 +106,14 @@ Json runs_json(const RunLevel& level, const Machine& machine) {
                     {"exponent", rounded(fit.exponent())},
                     {"exponent_error", rounded(fit.exponent_error())}});
   }
-  Json study = study_of(machine);
-  study["runs"] = {
-      {"seed", level.seed}, {"events", level.events}, {"rows", rows_json(level.rows)}, {"fits", fits}};
-  return study;
+  return {{"seed", level.seed},
+          {"events", level.events},
+          {"rows", rows_json(level.rows)},
+          {"proven", rows_json(level.proven)},
+          {"fits", fits}};
 }
 
-Json model_json(const ModelLevel& level, const Machine& machine) {
+Json model_json(const ModelLevel& level) {
   Json truths = Json::array();
   for (const GroupingTruth& truth : level.truths) {
     truths.push_back({{"scene", truth.scene},
@@ -110,19 +122,14 @@ Json model_json(const ModelLevel& level, const Machine& machine) {
                       {"collisions", truth.collisions},
                       {"kinetic", rounded(truth.kinetic)}});
   }
-  Json study = study_of(machine);
-  study["model"] = {{"seed", level.seed},
-                    {"truths", truths},
-                    {"grouping", rows_json(level.grouping)},
-                    {"revolution", rows_json(level.revolution)}};
-  return study;
+  return {{"seed", level.seed},
+          {"truths", truths},
+          {"grouping", rows_json(level.grouping)},
+          {"revolution", rows_json(level.revolution)}};
 }
 
-Json responses_json(const ResponseLevel& level, const Machine& machine) {
-  Json study = study_of(machine);
-  study["responses"] = {
-      {"seed", level.seed}, {"questions", level.questions}, {"rows", rows_json(level.rows)}};
-  return study;
+Json responses_json(const ResponseLevel& level) {
+  return {{"seed", level.seed}, {"questions", level.questions}, {"rows", rows_json(level.rows)}};
 }
 
 std::string verdict_of(const Json& one) {
@@ -130,11 +137,22 @@ std::string verdict_of(const Json& one) {
   return one.contains("good_enough") ? one.at("good_enough").get<std::string>() : "none";
 }
 
-Json cases_json(const std::vector<CaseResult>& cases, const Machine& machine) {
-  Json study = study_of(machine);
-  study["cases"] = Json::array();
-  for (const CaseResult& one : cases) study["cases"].push_back(case_json(one));
-  return study;
+std::string starts_text(const Json& row) {
+  return row.at("starts") == "rounding" ? "every start that rounds to the stored one" : "the stored start";
+}
+
+std::string ends_text(const Json& row) {
+  const std::string why = row.at("ends_by").get<std::string>();
+  if (why == "events") return "as many as were asked for";
+  if (why == "end") return "all there are";
+  if (why == "start") return "a pair may begin at a limit";
+  return why == "order" ? "then two may come in either order" : "then one may come or not";
+}
+
+Json cases_json(const std::vector<CaseResult>& cases) {
+  Json json = Json::array();
+  for (const CaseResult& one : cases) json.push_back(case_json(one));
+  return json;
 }
 
 }  // namespace tps::cost

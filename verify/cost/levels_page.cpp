@@ -15,23 +15,24 @@ namespace tps::cost {
 namespace {
 
 constexpr const char* kResponsesText =
-    R"(<h2>Responses: eqs. (4), (5) and (7)</h2>
+    R"(<h2 id="responses">Responses: eqs. (4), (5) and (7)</h2>
 <p>Against certified enclosures between doubles. <i>Off</i>: a component, as a double, lies outside of its enclosure. Errors are told for float and double.</p>
 )";
 constexpr const char* kRunsText =
-    R"(<h2>Whole runs: the horizon</h2>
-<p>How many events, in order, are those of the run in 100 digits. A scalar that has all of them has no mark.</p>
+    R"(<h2 id="runs">Whole runs: the horizon</h2>
+<p>How many events, in order, are those of the run in 100 digits. A scalar that has all of them has no mark. <i>Proven</i>: events that are certain
+in affine arithmetic of so many bits; at 53, for every start within the rounding of the scene's numbers.</p>
 )";
 constexpr const char* kGroupingText =
-    R"(<h2>What the time of restitution buys and costs</h2>
+    R"(<h2 id="grouping">What the time of restitution buys and costs</h2>
 <p>The same scene grouped with each Δt_restitute, against its ungrouped truth.</p>
 )";
 constexpr const char* kRevolutionText =
-    R"(<h2>What the angle of revolution buys and costs</h2>
+    R"(<h2 id="revolution">What the angle of revolution buys and costs</h2>
 <p>A pair that circles on a taut tether: events for a turn, and what of energy and angular momentum a turn and the first event take.</p>
 )";
 constexpr const char* kCasesText =
-    R"(<h2>Hard cases</h2>
+    R"(<h2 id="cases">Hard cases</h2>
 <p>Events, in order, that are those of the run in 100 digits, and the first arithmetic that has all.</p>
 )";
 
@@ -78,6 +79,8 @@ class Lines {
   std::map<std::string, std::vector<Position>> lines_;
 };
 
+constexpr double kDoubleBits = 53;
+
 /// log10, and a little below the axis for nothing at all.
 double log10_of(double x, double nothing) {
   return x > 0 ? std::max(std::log10(x), nothing) : nothing;
@@ -101,6 +104,17 @@ std::string figures(std::vector<Lines> all) {
   std::string text = "<div class=\"figures\">\n";
   for (Lines& lines : all) text += lines.figure();
   return text + "</div>\n";
+}
+
+std::string proven_list(const Json& proven) {
+  std::string text = "<ul>\n";
+  for (const Json& row : proven) {
+    text += fmt::format("<li>{}: {} events are proven for {}, in {} bits; {}{}</li>\n",
+                        xml_text(text_at(row, "scene")), json_text(row.at("events")), starts_text(row),
+                        json_text(row.at("bits")), ends_text(row),
+                        row.contains("parts_at") ? "; the run in 100 digits has others" : "");
+  }
+  return text + "</ul>\n";
 }
 
 std::string horizon_tip(const Json& row) {
@@ -146,7 +160,7 @@ std::string responses_page(const Json& responses) {
 std::string runs_page(const Json& runs) {
   Names names;
   const Json& rows = runs.at("rows");
-  const double most = largest(rows, "horizon");
+  const double most = std::max(largest(rows, "horizon"), largest(runs.at("proven"), "events"));
   Lines horizons(names, "horizon against bits", {"bits of the scalar", 0, 350, 0, 50},
                  {"events", 0, most, 0, tick_distance(most)});
   Lines speeds(names, "speed against bits", {"bits of the scalar", 0, 350, 0, 50},
@@ -161,7 +175,13 @@ std::string runs_page(const Json& runs) {
     speeds.add(name, {bits, log10_of(rate, 0)},
                fmt::format("{}, {:.4g} events a second", text_at(row, "scalar"), rate));
   }
-  std::string text = kRunsText + figures({horizons, speeds});
+  for (const Json& row : runs.at("proven")) {
+    const bool every_start = row.at("starts") == "rounding";
+    horizons.add(text_at(row, "scene") + (every_start ? ", proven for every start" : ", proven"),
+                 {every_start ? kDoubleBits : number_at(row, "bits"), number_at(row, "events")},
+                 fmt::format("{} events, {}", json_text(row.at("events")), ends_text(row)));
+  }
+  std::string text = kRunsText + figures({horizons, speeds}) + proven_list(runs.at("proven"));
   for (const Json& fit : runs.at("fits")) {
     text += fmt::format(
         "<p>{}: {:.4g} ± {:.2g} events a bit; a disturbance grows by exp({:.4g} ± {:.2g}) an event.</p>\n",
@@ -237,7 +257,7 @@ std::string cases_page(const Json& cases) {
                           xml_text(text_at(outcome, "timing")));
     }
   }
-  text += "<th>good enough</th></tr>\n";
+  text += "<th>bits that prove it</th><th>good enough</th></tr>\n";
   for (const Json& one : cases) {
     text += fmt::format("<tr><td>{}</td><td>{}</td>", xml_text(text_at(one, "what")),
                         json_text(one.at("events")));
@@ -246,7 +266,10 @@ std::string cases_page(const Json& cases) {
                           outcome.contains("horizon") ? json_text(outcome.at("horizon")) : "all",
                           xml_text(text_at(outcome, "end")));
     }
-    text += fmt::format("<td>{}</td></tr>\n", xml_text(verdict_of(one)));
+    text += fmt::format("<td>{}</td><td>{}</td></tr>\n",
+                        one.contains("proven_bits") ? json_text(one.at("proven_bits"))
+                                                    : "– (" + xml_text(text_at(one, "unproven")) + ")",
+                        xml_text(verdict_of(one)));
   }
   return text + "</table></div>\n";
 }

@@ -19,6 +19,12 @@ std::string horizon_text(const Json& row) {
   return row.contains("horizon") ? json_text(row.at("horizon")) : "all";
 }
 
+std::string parts_text(const Json& row) {
+  return row.contains("parts_at")
+             ? fmt::format("; from event {} on the run in mp100 has others", json_text(row.at("parts_at")))
+             : "";
+}
+
 std::string runs_text(const Json& runs) {
   std::string text = fmt::format("{:<12}{:<13}{:<11}{:>7}{:>11}{:>10}{:>14}{:>14}\n", "scene", "scalar",
                                  "timing", "events", "events/s", "horizon", "momentum off", "energy off");
@@ -27,6 +33,11 @@ std::string runs_text(const Json& runs) {
                         shown_at(row, "scalar"), shown_at(row, "timing"), json_text(row.at("events")),
                         number_at(row, "events_per_second"), horizon_text(row),
                         number_at(row, "momentum_drift"), number_at(row, "energy_remainder"));
+  }
+  for (const Json& row : runs.at("proven")) {
+    text += fmt::format("{}: {} events are proven for {}, in {} bits; {}{}\n", shown_at(row, "scene"),
+                        json_text(row.at("events")), starts_text(row), json_text(row.at("bits")),
+                        ends_text(row), parts_text(row));
   }
   for (const Json& fit : runs.at("fits")) {
     text += fmt::format(
@@ -89,11 +100,12 @@ std::string cases_text(const Json& cases) {
   std::string text = fmt::format("{:<17}{:>7}", "case", "events");
   const char* const names[] = {"float", "printed", "stable", "certified", "long double", "quad", "mp50"};
   for (const char* name : names) text += fmt::format("{:>13}", name);
-  text += "  good enough\n";
+  text += fmt::format("{:>9}  good enough\n", "proven");
   for (const Json& one : cases) {
     text += fmt::format("{:<17}{:>7}", shown_at(one, "name"), json_text(one.at("events")));
     for (const Json& outcome : one.at("outcomes")) text += fmt::format("{:>13}", outcome_text(one, outcome));
-    text += "  " + printable(verdict_of(one)) + "\n";
+    text += fmt::format("{:>9}  {}\n", one.contains("proven_bits") ? json_text(one.at("proven_bits")) : "-",
+                        printable(verdict_of(one)));
   }
   return text;
 }
@@ -119,17 +131,9 @@ std::string responses_text(const Json& responses) {
   return text;
 }
 
-/// A text as a field of CSV (RFC 4180).
-std::string field(const std::string& text) {
-  const std::string safe = printable(text);
-  if (safe.find_first_of(",\"") == std::string::npos) return safe;
-  std::string quoted = "\"";
-  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
+}  // namespace
 
-/// Every run of a study as an object, with what it is part of.
-std::vector<Json> all_rows(const Json& study) {
+std::vector<Json> level_rows(const Json& study) {
   std::vector<Json> rows;
   const auto append = [&](const Json& list, const Json& head) {
     for (const Json& row : list) {
@@ -138,49 +142,35 @@ std::vector<Json> all_rows(const Json& study) {
     }
   };
   if (study.contains("responses")) append(study.at("responses").at("rows"), {{"level", "responses"}});
-  if (study.contains("runs")) append(study.at("runs").at("rows"), {{"level", "runs"}});
+  if (study.contains("runs")) {
+    append(study.at("runs").at("rows"), {{"level", "runs"}});
+    append(study.at("runs").at("proven"), {{"level", "proven"}});
+  }
   if (study.contains("model")) {
     append(study.at("model").at("grouping"), {{"level", "grouping"}});
     append(study.at("model").at("revolution"), {{"level", "revolution"}});
   }
   if (study.contains("cases")) {
-    for (const Json& one : study.at("cases"))
-      append(one.at("outcomes"), {{"level", "cases"}, {"scene", one.at("name")}});
+    for (const Json& one : study.at("cases")) {
+      Json head{{"level", "cases"}, {"scene", one.at("name")}};
+      if (one.contains("proven_bits")) head["proven_bits"] = one.at("proven_bits");
+      append(one.at("outcomes"), head);
+    }
   }
   return rows;
 }
 
-}  // namespace
-
 std::string levels_text(const Json& study) {
   std::string text;
-  if (study.contains("responses")) text += responses_text(study.at("responses"));
-  if (study.contains("runs")) text += runs_text(study.at("runs"));
-  if (study.contains("model")) text += model_text(study.at("model"));
-  if (study.contains("cases")) text += cases_text(study.at("cases"));
-  return text;
-}
-
-std::string levels_csv(const Json& study) {
-  const std::vector<Json> rows = all_rows(study);
-  std::vector<std::string> columns;
-  for (const Json& row : rows) {
-    for (const auto& [key, value] : row.items()) {
-      if (std::find(columns.begin(), columns.end(), key) == columns.end()) columns.push_back(key);
-    }
-  }
-  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
-  for (const Json& row : rows) {
-    const char* before = "";
-    for (const std::string& column : columns) {
-      text += before;
-      before = ",";
-      if (!row.contains(column)) continue;
-      const Json& value = row.at(column);
-      text += value.is_string() ? field(value.get<std::string>()) : json_text(value);
-    }
-    text += "\n";
-  }
+  const auto add = [&](const char* level, std::string (*as_text)(const Json&)) {
+    if (!study.contains(level)) return;
+    if (!text.empty()) text += "\n";
+    text += as_text(study.at(level));
+  };
+  add("responses", responses_text);
+  add("runs", runs_text);
+  add("model", model_text);
+  add("cases", cases_text);
   return text;
 }
 

@@ -59,8 +59,12 @@ struct ModelLevel {
 
 struct ModelLevelOptions {
   std::uint64_t seed = 1;
+  std::vector<std::string> scenes;  ///< of model_scenes(); empty: all
   Announce announce = [](const std::string&) {};
 };
+
+/// Those of grouping, and "revolution".
+std::vector<std::string> model_scenes();
 
 /// Scenes of grouping: X-Y-Z with c = 1, whose truth has 70 collisions, and c = 1/2, which collapses; the
 /// cradle; the terminal.

@@ -21,7 +21,7 @@ constexpr const char* kStyle = R"(
 body{background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif;max-width:1480px;margin:auto;padding:1rem}
 .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(440px,1fr));gap:1rem}
 svg{width:100%;height:auto;overflow:visible}text{fill:var(--ink);font-size:11px}
-figure{margin:0}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-height:2.6em}.power{font-size:8px}.label{font-size:8px;fill:var(--soft)}
+nav a,a:visited{color:inherit;margin-right:.8em}figure{margin:0}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-height:2.6em}.power{font-size:8px}.label{font-size:8px;fill:var(--soft)}
 .tip{font-size:10px;visibility:hidden}.mark:hover .tip,.mark:focus .tip{visibility:visible}.mark{outline:none}
 .mark:focus .reach,.mark:hover .reach{stroke:var(--ink)}.reach{fill:transparent;stroke:none}
 .grid{stroke:var(--faint);stroke-width:.5}.line{fill:none;stroke-width:1.2}.cross{fill:none;stroke-width:2}
@@ -41,7 +41,7 @@ constexpr const char* kHowToRead =
 digits, d) of the arithmetic; c stands for certified answers. What the figures mean: docs/accuracy-cost.md.</p>
 )";
 constexpr const char* kParetoText =
-    R"(<h2>Time against error</h2>
+    R"(<h2 id="queries">Single questions: time against error</h2>
 <p>A cross has wrong verdicts. The solid front is of variants without, the dashed one of all. Marks at the lower edge lie below it.</p>
 )";
 constexpr const char* kTangencyText =
@@ -127,6 +127,22 @@ std::string tangency_section(const Json& study) {
   return section;
 }
 
+/// Links to the sections that the page has.
+std::string contents(const std::string& page) {
+  constexpr const char* kSections[][2] = {{"queries", "single questions"},
+                                          {"responses", "responses"},
+                                          {"runs", "whole runs"},
+                                          {"grouping", "time of restitution"},
+                                          {"revolution", "angle of revolution"},
+                                          {"cases", "hard cases"}};
+  std::string text = "<nav>";
+  for (const auto& [id, name] : kSections) {
+    if (page.find(fmt::format("<h2 id=\"{}\">", id)) == std::string::npos) continue;
+    text += fmt::format("<a href=\"#{}\">{}</a> ", id, name);
+  }
+  return text + "</nav>\n";
+}
+
 std::string machine_text(const Json& study) {
   const Json& m = study.at("machine");
   return fmt::format("{}; {}; flags {}; tps {}.", safe_text(m, "processor"), safe_text(m, "compiler"),
@@ -160,8 +176,8 @@ std::string report_page(const Json& study) {
       "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>";
   page += kStyle + colours() + "</style></head><body>\n<h1>What accuracy costs</h1>\n<p>";
   page += (asks ? settings_text(study) : "") + machine_text(study) + "</p>\n" + kHowToRead;
-  if (asks) page += questions_page(study);
-  return page + levels_page(study) + "</body></html>\n";
+  const std::string sections = (asks ? questions_page(study) : "") + levels_page(study);
+  return page + contents(sections) + sections + "</body></html>\n";
 }
 
 }  // namespace tps::cost

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "verify/certified/certified_response.hpp"
 #include "verify/cost/statistics.hpp"
+#include "verify/cost/wanted.hpp"
 #include "verify/vectors/stratum.hpp"
 
 namespace tps::cost {
@@ -164,20 +166,40 @@ ResponseRow row_of(const vectors::Stratum& stratum, const Sample& sample, const 
   return row;
 }
 
+std::string part_name(const vectors::Stratum& stratum) {
+  return stratum.op + ", " + stratum.name;
+}
+
+std::vector<vectors::Stratum> asked_strata() {
+  std::set<std::string> ops;
+  for (const ResponseVariant& variant : response_variants()) ops.insert(variant.op);
+  std::vector<vectors::Stratum> result;
+  for (const vectors::Stratum& stratum : vectors::strata()) {
+    if (ops.contains(stratum.op)) result.push_back(stratum);
+  }
+  return result;
+}
+
 }  // namespace
+
+std::vector<std::string> response_parts() {
+  std::vector<std::string> names;
+  for (const vectors::Stratum& stratum : asked_strata()) names.push_back(part_name(stratum));
+  return names;
+}
 
 ResponseLevel measure_responses(const ResponseLevelOptions& options) {
   ResponseLevel level;
   level.seed = options.seed;
   level.questions = options.questions;
   const std::vector<ResponseVariant> variants = response_variants();
-  for (const vectors::Stratum& stratum : vectors::strata()) {
-    const auto is_asked = [&](const ResponseVariant& variant) { return variant.op == stratum.op; };
-    if (std::none_of(variants.begin(), variants.end(), is_asked)) continue;
-    options.announce(stratum.op + ", " + stratum.name);
+  for (const vectors::Stratum& stratum : asked_strata()) {
+    if (!is_wanted(options.parts, part_name(stratum))) continue;
+    options.announce(part_name(stratum));
     const Sample sample = sample_of(stratum, options);
     for (const ResponseVariant& variant : variants) {
-      if (is_asked(variant)) level.rows.push_back(row_of(stratum, sample, variant, options.repetitions));
+      if (variant.op == stratum.op)
+        level.rows.push_back(row_of(stratum, sample, variant, options.repetitions));
     }
   }
   return level;

@@ -60,8 +60,12 @@ struct ResponseLevelOptions {
   std::uint64_t seed = 1;
   int questions = 200;
   int repetitions = 5;
+  std::vector<std::string> parts;  ///< of response_parts(); empty: all
   Announce announce = [](const std::string&) {};
 };
+
+/// "collision_impulse, plain": an equation on a stratum of its known answers.
+std::vector<std::string> response_parts();
 
 ResponseLevel measure_responses(const ResponseLevelOptions& options);
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "verify/cost/enclosed_run.hpp"
 #include "verify/cost/traced_run.hpp"
+#include "verify/cost/wanted.hpp"
 #include "verify/scenes/gas.hpp"
 #include "verify/scenes/three_body.hpp"
 
@@ -47,6 +49,36 @@ RunRow row_of(const std::string& name, const std::string& scalar, Timing timing,
   return row;
 }
 
+ProvenRow proven_row(const std::string& name, const Scene& scene, const EnclosedRunOptions& how,
+                     const TracedRun& truth) {
+  const EnclosedRun run = enclosed_run(scene, how);
+  ProvenRow row{name, how.starts == Starts::rounding, static_cast<int>(how.bits), run.events.size(),
+                run.ends_by};
+  const std::size_t both = std::min(run.events.size(), truth.events.size());
+  const auto parts = std::mismatch(run.events.begin(), run.events.begin() + static_cast<std::ptrdiff_t>(both),
+                                   truth.events.begin());
+  if (parts.second != truth.events.begin() + static_cast<std::ptrdiff_t>(both)) {
+    row.parts_at = static_cast<std::uint64_t>(parts.first - run.events.begin());
+  }
+  return row;
+}
+
+/// Wide enough that half an ulp of a double, not the arithmetic, is what ends the proof.
+constexpr long kBitsForEveryStart = 256;
+
+void prove(RunLevel& level, const std::string& name, const Scene& scene, const RunLevelOptions& options,
+           const TracedRun& truth) {
+  std::vector<EnclosedRunOptions> ways = {{Starts::rounding, kBitsForEveryStart, options.events}};
+  if (options.proves_stored) {
+    for (const char* scalar : {"double", "quad", "mp100"})
+      ways.push_back({Starts::stored, bits_of(scalar), options.events});
+  }
+  for (const EnclosedRunOptions& way : ways) {
+    options.announce(name + " in enclosures, " + std::to_string(way.bits) + " bits");
+    level.proven.push_back(proven_row(name, scene, way, truth));
+  }
+}
+
 void add_scene(RunLevel& level, const std::string& name, const Scene& scene, const RunLevelOptions& options) {
   options.announce(name + " in mp100");
   const Measured truth = run(scene, "mp100", Timing::stable, options);
@@ -60,6 +92,7 @@ void add_scene(RunLevel& level, const std::string& name, const Scene& scene, con
           row_of(name, scalar, timing, is_truth ? truth : run(scene, scalar, timing, options), truth.traced));
     }
   }
+  prove(level, name, scene, options, truth.traced);
   level.rows.insert(level.rows.end(), rows.begin(), rows.end());
   const auto horizons = std::count_if(rows.begin(), rows.end(),
                                       [](const RunRow& r) { return r.timing == "stable" && r.horizon; });
@@ -95,6 +128,10 @@ HorizonFit fit_horizons(const std::string& scene, const std::vector<RunRow>& row
   return {scene, static_cast<int>(bits.size()), slope, std::sqrt(cov11)};
 }
 
+std::vector<std::string> run_scenes() {
+  return {"gas", "three-body"};
+}
+
 RunLevel measure_runs(const RunLevelOptions& options) {
   RunLevel level;
   level.seed = options.seed;
@@ -103,8 +140,10 @@ RunLevel measure_runs(const RunLevelOptions& options) {
   gas.particles = kSpheres;
   gas.seed = options.seed;
   gas.duration = 1e6;
-  add_scene(level, "gas", build_gas(gas), options);
-  add_scene(level, "three-body", build_three_body({}), options);
+  for (const std::string& name : run_scenes()) {
+    if (!is_wanted(options.scenes, name)) continue;
+    add_scene(level, name, name == "gas" ? build_gas(gas) : build_three_body({}), options);
+  }
   return level;
 }
 

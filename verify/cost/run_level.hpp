@@ -36,10 +36,23 @@ struct HorizonFit {
   double exponent_error() const;
 };
 
+/// The events of a scene that are proven (enclosed_run.hpp).
+struct ProvenRow {
+  std::string scene;
+  bool every_start = true;  ///< for every start that rounds to the stored one; else for the stored one alone
+  int bits = 0;             ///< of the arithmetic
+  std::uint64_t events = 0;
+  std::string ends_by;  ///< as in EnclosedRun
+  /// Of these, in order, the events that the run in mp100 has, too; absent where it has all that it is long
+  /// enough for.
+  std::optional<std::uint64_t> parts_at = std::nullopt;
+};
+
 struct RunLevel {
   std::uint64_t seed = 1;
   std::uint64_t events = 0;  ///< at most, of each run
   std::vector<RunRow> rows;
+  std::vector<ProvenRow> proven;
   std::vector<HorizonFit> fits;  ///< of scenes with three horizons or more
 };
 
@@ -49,13 +62,17 @@ using Announce = std::function<void(const std::string&)>;
 struct RunLevelOptions {
   std::uint64_t seed = 1;
   std::uint64_t events = 3000;  ///< at most, of each run
+  bool proves_stored = true;    ///< also what the stored start proves, in 53, 113 and 334 bits: two minutes
+  std::vector<std::string> scenes;  ///< of run_scenes(); empty: all
   Announce announce = [](const std::string&) {};
 };
 
 /// Bits of the significand of a scalar, by its name in scalar_names().
 int bits_of(const std::string& scalar);
 
-/// Scenes: a gas of twenty spheres, and the paper's X-Y-Z.
+/// A gas of twenty spheres, and the paper's X-Y-Z.
+std::vector<std::string> run_scenes();
+
 RunLevel measure_runs(const RunLevelOptions& options);
 
 /// REQUIRES three rows with a horizon or more.

@@ -34,7 +34,8 @@ std::string bits_lost(const Json& cell, const char* pointer, int bits) {
 }  // namespace
 
 std::string report_text(const Json& study) {
-  if (!study.contains("strata")) return levels_text(study);
+  const std::string levels = levels_text(study);
+  if (!study.contains("strata")) return levels;
   std::map<std::string, int> bits;
   for (const Json& variant : study.at("variants")) {
     bits[variant.at("name").get<std::string>()] = variant.at("bits").get<int>();
@@ -57,7 +58,7 @@ std::string report_text(const Json& study) {
           bits_lost(cell, "/log2_error/max", b), cell.at("asked").get<int>(), handed_on(cell));
     }
   }
-  return text;
+  return levels.empty() ? text : text + "\n" + levels;
 }
 
 }  // namespace tps::cost
