@@ -43,7 +43,7 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
   const auto place = [&](int n) {
     const InvolvedParticle<Number>* p = event.of(n);
     if (p->position_before) return widened<W>(*p->position_before);
-    b.blur += model.blur(n);
+    b.blur += model.blur_of_place(n, event.t);
     recorded = false;
     return model.position(n, event.t);
   };

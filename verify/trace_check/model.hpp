@@ -159,6 +159,16 @@ class Model {
     return f.blur + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
   }
 
+  /// How far position(i, t) may be from where a run has a particle that it does not record there: blur, and
+  /// the roundings of dt, v dt and u + v dt, which a run that advances everybody has made by then.
+  W blur_of_place(int i, const Instant<Number>& t) const {
+    const W before = blur(i);
+    const Flight<Number>& f = flight(i);
+    const Vec<W> step = elapsed(f.since, t) * widened<W>(f.velocity);
+    if (eager || !(length(step) > W(0))) return before;
+    return before + W(precision.u) * (W(2) * length(step) + length(widened<W>(f.position) + step));
+  }
+
   /// Pairs that have responded at a limit and cannot be there again (semantics §1).
   bool responded(int i, int j, bool outer) const {
     return has_responded(i, j, outer) && has_responded(j, i, outer);

@@ -29,7 +29,8 @@ BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Numbe
   }
   const Flight<Number> of_wall{wall.point, wall.velocity, {}, W(0)};
   const Vec<W> centre = widened<W>(carried(of_wall, event.t, model.precision, b.blur));
-  if (!p.position_before) b.blur += model.blur(event.i) + c.time_error(event.t) * length(b.v);
+  if (!p.position_before)
+    b.blur += model.blur_of_place(event.i, event.t) + c.time_error(event.t) * length(b.v);
   b.r = centre - (p.position_before ? widened<W>(*p.position_before) : model.position(event.i, event.t));
   return b;
 }
