@@ -57,7 +57,7 @@ TEST(Variants, CertifiedOnesAreRightOnEveryStratum) {
   StudyOptions options;
   options.questions = 60;
   for (const Hazard& hazard : hazards()) {
-    for (const char* name : {"certified-verdict", "certified-time", "integers"}) {
+    for (const char* name : {"certified-verdict", "certified-time", "rational-verdict", "integers"}) {
       const Cell cell = measure_accuracy(hazard, options, only(name)).cells.front();
       EXPECT_EQ(cell.verdicts.asked, 60U);
       EXPECT_EQ(cell.verdicts.all(), 0U) << name << " on " << hazard.name;

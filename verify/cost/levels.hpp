@@ -21,6 +21,9 @@ Json cases_json(const std::vector<CaseResult>& cases);
 /// What is good enough for a case of such a study: "double stable", "none", or "ties" where to agree is luck.
 std::string verdict_of(const Json& one);
 
+/// What stands in a table for an outcome: how far it agrees, and the end where that is another one.
+std::string outcome_text(const Json& one, const Json& outcome);
+
 /// Of a row of runs.proven: for which starts, and why there is no further event.
 std::string starts_text(const Json& row);
 std::string ends_text(const Json& row);

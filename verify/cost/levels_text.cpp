@@ -84,17 +84,6 @@ std::string model_text(const Json& model) {
   return text;
 }
 
-/// What stands in the table for an outcome: how far it agrees, and the end where that is another one.
-std::string outcome_text(const Json& one, const Json& outcome) {
-  if (!outcome.contains("horizon")) return "all";
-  const std::string end = shown_at(outcome, "end");
-  if (end == "refused") return end;
-  const std::string agreed = json_text(outcome.at("horizon"));
-  return outcome.at("end") == one.at("end") ? agreed
-         : end == "stalled"                 ? agreed + " stalled"
-                                            : agreed + " " + end;
-}
-
 std::string cases_text(const Json& cases) {
   if (cases.empty()) return "";
   std::string text = fmt::format("{:<17}{:>7}", "case", "events");
@@ -132,6 +121,16 @@ std::string responses_text(const Json& responses) {
 }
 
 }  // namespace
+
+std::string outcome_text(const Json& one, const Json& outcome) {
+  if (!outcome.contains("horizon")) return "all";
+  const std::string end = shown_at(outcome, "end");
+  if (end == "refused") return end;
+  const std::string agreed = json_text(outcome.at("horizon"));
+  return outcome.at("end") == one.at("end") ? agreed
+         : end == "stalled"                 ? agreed + " stalled"
+                                            : agreed + " " + end;
+}
 
 std::vector<Json> level_rows(const Json& study) {
   std::vector<Json> rows;

@@ -28,7 +28,7 @@ nav a,a:visited{color:inherit;margin-right:.8em}figure{margin:0}figcaption{font-
 .front{stroke:var(--soft);stroke-dasharray:3 3}.front.right{stroke:var(--ink);stroke-dasharray:none;stroke-width:1.6}
 .envelope{stroke:var(--faint);stroke-dasharray:5 3}
 table{border-collapse:collapse;font-size:13px}td,th{padding:.1rem .6rem;text-align:right;border-bottom:1px solid var(--faint)}
-td:first-child,th:first-child{text-align:left}.scroll{overflow-x:auto}.lines{font-size:12px;margin:0 0 0 4.2em}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
+td:first-child,th:first-child{text-align:left}td:first-child{min-width:12em}.scroll{overflow-x:auto}.lines{font-size:12px;margin:0 0 0 4.2em}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
 @media print{.tip{display:none}body{max-width:none;font-size:10pt}.figures{grid-template-columns:1fr 1fr}svg,tr{break-inside:avoid}}
 )";
 
@@ -38,7 +38,7 @@ const Selection kStable{"the reference's formula, in each arithmetic", "stable",
 
 constexpr const char* kHowToRead =
     R"(<p>Point at a mark, or reach it by the tabulator key, for its figures. Numbers beside marks are the bits (or decimal
-digits, d) of the arithmetic; c stands for certified answers. What the figures mean: docs/accuracy-cost.md.</p>
+digits: d of Boost, m of MPFR) of the arithmetic; c stands for certified answers. What the figures mean: docs/accuracy-cost.md.</p>
 )";
 constexpr const char* kParetoText =
     R"(<h2 id="queries">Single questions: time against error</h2>

@@ -29,8 +29,8 @@ std::uint64_t wrong_in(const Json& verdicts) {
 /// What a figure has room for beside a point.
 std::string short_name(const Json& study, const std::string& variant) {
   static const std::map<std::string, std::string> letters = {
-      {"float", "24"}, {"double", "53"}, {"long-double", "64"}, {"double-word", "106"},
-      {"quad", "113"}, {"mp50", "50d"},  {"mp100", "100d"},     {"", "c"}};
+      {"float", "24"}, {"double", "53"},  {"long-double", "64"}, {"double-word", "106"}, {"quad", "113"},
+      {"mp50", "50d"}, {"mp100", "100d"}, {"mpfr50", "50m"},     {"mpfr100", "100m"},    {"", "c"}};
   const std::string arithmetic = text_at(variant_named(study, variant), "arithmetic");
   const auto found = letters.find(arithmetic);
   return found == letters.end() ? arithmetic : found->second;

@@ -39,13 +39,22 @@ Position Plot::pixel(Position at) const {
   return {place(x_, at.x, kLeft, kRight), place(y_, at.y, kBottom, kTop)};
 }
 
+bool Plot::has_room(Position label) const {
+  constexpr double kWide = 20, kHigh = 9;  // of a label
+  return std::none_of(labels_.begin(), labels_.end(), [&](Position other) {
+    return std::fabs(other.x - label.x) < kWide && std::fabs(other.y - label.y) < kHigh;
+  });
+}
+
 void Plot::point(Position at, const std::string& style, const std::string& label, const std::string& tip,
                  bool wrong) {
   const Position p = pixel(at);
   const std::string mark = wrong ? fmt::format("<path class=\"cross\" d=\"M{0:.1f} {1:.1f}l7 7m-7 0l7 -7\"/>",
                                                p.x - 3.5, p.y - 3.5)
                                  : fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\"/>", p.x, p.y);
-  const std::string words = label.empty()
+  const bool is_labelled = !label.empty() && has_room(p);
+  if (is_labelled) labels_.push_back(p);
+  const std::string words = !is_labelled
                                 ? ""
                                 : fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
                                               p.x + 5, p.y - 5, xml_text(label));

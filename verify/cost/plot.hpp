@@ -25,7 +25,8 @@ class Plot {
  public:
   Plot(std::string title, Axis x, Axis y);
 
-  /// `style` names the series in the style sheet. A mark that is `wrong` is a cross.
+  /// `style` names the series in the style sheet. A mark that is `wrong` is a cross. A label that would stand
+  /// on another one is left out.
   void point(Position at, const std::string& style, const std::string& label, const std::string& tip,
              bool wrong = false);
   void line(const std::vector<Position>& points, const std::string& style);
@@ -35,11 +36,13 @@ class Plot {
 
  private:
   Position pixel(Position at) const;
+  bool has_room(Position label) const;
   std::string axes() const;
 
   std::string title_;
   Axis x_, y_;
   std::string lines_, points_;
+  std::vector<Position> labels_;
 };
 
 }  // namespace tps::cost

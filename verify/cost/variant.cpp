@@ -29,7 +29,8 @@ const std::vector<Formula>& formulas() {
        "the reference: D by the form that fits, c as a product near the limit, scaled where needed"},
       {"certified-verdict", "the verdict alone: doubles with bounds, double words, integers"},
       {"certified-time", "the certified verdict and the correctly rounded time"},
-      {"integers", "the same by rational arithmetic alone"}};
+      {"rational-verdict", "the verdict alone, in rational numbers as the rule is written"},
+      {"integers", "certified verdict and time by integers of a common unit alone"}};
   return all;
 }
 
@@ -38,6 +39,7 @@ const std::vector<Variant>& variants() {
     std::vector<Variant> list;
     add_hardware_variants(list);
     add_wide_variants(list);
+    add_mpfr_variants(list);
     add_exact_variants(list);
     std::stable_sort(list.begin(), list.end(), [](const Variant& x, const Variant& y) {
       const std::size_t p = place_of(x.formula);

@@ -9,6 +9,7 @@ namespace tps::cost {
 
 void add_hardware_variants(std::vector<Variant>& to);
 void add_wide_variants(std::vector<Variant>& to);
+void add_mpfr_variants(std::vector<Variant>& to);
 void add_exact_variants(std::vector<Variant>& to);
 
 }  // namespace tps::cost

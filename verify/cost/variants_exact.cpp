@@ -1,5 +1,6 @@
 // Variants that reach further than their scalar: double words, GSL's solver, and the certified answers.
 #include "verify/cost/double_word_time.hpp"
+#include "verify/cost/rational_verdict.hpp"
 #include "verify/cost/variant_lists.hpp"
 #include "verify/cost/variant_of.hpp"
 #include "verify/exact/exact_verdict.hpp"
@@ -64,6 +65,7 @@ void add_exact_variants(std::vector<Variant>& to) {
   to.back().answer = double_word_answer;
   to.push_back(filtered<certified_verdict>("certified-verdict"));
   to.push_back(filtered<certified_time>("certified-time"));
+  to.push_back(variant_of<rational_verdict>("rational-verdict", "", kDouble));
   to.push_back(variant_of<time_by_integers>("integers", "", kDouble));
 }
 
