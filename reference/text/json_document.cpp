@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "reference/text/json_pointer.hpp"
+#include "reference/text/json_syntax_message.hpp"
 #include "reference/text/printable.hpp"
 #include "reference/text/text_file.hpp"
 
@@ -105,13 +104,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
-    return fail(describe(error));
+    return fail(json_syntax_message(error.id, error.what(), text_, consumed()));
   }
 
   JsonDocument take() { return {std::move(root_), std::move(problems_)}; }
   const InputProblems& problems() const { return problems_; }
 
  private:
+  std::size_t consumed() const { return static_cast<std::size_t>(progress_.at - progress_.begin); }
   std::uint32_t line() const { return static_cast<std::uint32_t>(progress_.line() + first_line_ - 1); }
 
   template <typename Integer>
@@ -202,30 +202,6 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return false;
   }
 
-  // The run of letters, digits and signs around the last consumed byte.
-  std::string_view current_word() const {
-    const auto in_word = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
-    };
-    const auto last = static_cast<std::size_t>(progress_.at - progress_.begin);
-    std::size_t begin = last > 0 ? last - 1 : 0;
-    // The parser reads one byte more than a number to see that it ends.
-    if (begin > 0 && !in_word(text_[begin])) --begin;
-    while (begin > 0 && in_word(text_[begin]) && in_word(text_[begin - 1])) --begin;
-    std::size_t end = begin;
-    while (end < text_.size() && in_word(text_[end]) && end - begin <= longest_quote) ++end;
-    return text_.substr(begin, end - begin);
-  }
-
-  std::size_t column() const {
-    const auto last = static_cast<std::size_t>(progress_.at - progress_.begin);
-    if (last == 0) return 1;
-    const std::size_t line_end = last > 1 ? text_.rfind('\n', last - 2) : std::string_view::npos;
-    return line_end == std::string_view::npos ? last : last - line_end - 1;
-  }
-
-  std::string describe(const nlohmann::json::exception& error) const;
-
   std::string_view text_;
   const Progress& progress_;
   const JsonLimits& limits_;
@@ -236,38 +212,6 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t values_ = 0;
   bool awaits_value_ = false;  // the last thing read was a key
 };
-
-std::string TreeBuilder::describe(const nlohmann::json::exception& error) const {
-  constexpr int number_overflow = 406;  // "out_of_range.406" of the library
-  const std::string word(current_word());
-  if (error.id == number_overflow) {
-    return fmt::format("number {}{} is beyond the largest double, {}", word.substr(0, longest_quote),
-                       word.size() > longest_quote ? "…" : "", std::numeric_limits<double>::max());
-  }
-  std::string lower;
-  for (const char c : word) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::string bare = lower.substr(std::min(lower.find_first_not_of("+-"), lower.size()));
-  if (bare == "nan" || bare == "inf" || bare == "infinity") {
-    return fmt::format("found {}; allowed: JSON numbers, and the string \"inf\" where the format says so",
-                       word);
-  }
-  if (progress_.at > progress_.begin &&
-      text_[static_cast<std::size_t>(progress_.at - progress_.begin) - 1] == '/') {
-    return fmt::format("not JSON: unexpected '/'; JSON has no comments (column {})", column());
-  }
-  // The library's text is "[…] parse error at …: syntax error while … - REASON; last read: '…'; expected …".
-  // "Last read" can be as long as the file and hold any bytes: it is left out.
-  std::string detail = error.what();
-  const std::size_t reason = detail.find(" - ");
-  const std::size_t quote = detail.find("; last read: '");
-  const std::size_t expected = detail.rfind("'; expected ");
-  std::string text = "not JSON";
-  if (reason != std::string::npos) {
-    text += ": " + detail.substr(reason + 3, quote == std::string::npos ? quote : quote - reason - 3);
-    if (quote != std::string::npos && expected != std::string::npos) text += detail.substr(expected + 1);
-  }
-  return fmt::format("{} (column {})", text, column());
-}
 
 void refuse_what_is_no_json_text(std::string_view text, const std::string& name, const JsonLimits& limits) {
   const auto fail = [&](std::string message) {

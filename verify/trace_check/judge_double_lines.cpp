@@ -1,4 +1,4 @@
-#include "verify/trace_check/judge_lines_in.hpp"
+#include "verify/trace_check/judge_lines_impl.hpp"
 
 namespace tps::check {
 

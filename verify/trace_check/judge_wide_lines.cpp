@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "reference/scalars.hpp"
-#include "verify/trace_check/judge_lines_in.hpp"
+#include "verify/trace_check/judge_lines_impl.hpp"
 #include "verify/trace_check/wide.hpp"
 
 namespace tps::check {

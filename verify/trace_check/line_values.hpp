@@ -1,4 +1,4 @@
-// Values in the JSON of a line: numbers, times, vectors, particles. Included by read_line_in.hpp only
+// Values in the JSON of a line: numbers, times, vectors, particles. Included by read_line_impl.hpp only
 // (simdjson is a heavy header).
 #pragma once
 

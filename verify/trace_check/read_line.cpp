@@ -1,4 +1,4 @@
-#include "verify/trace_check/read_line_in.hpp"
+#include "verify/trace_check/read_line_impl.hpp"
 #include "verify/trace_check/wide.hpp"
 
 namespace tps::check {

@@ -5,9 +5,9 @@
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
-#include "verify/trace_check/replay.hpp"
 #include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/readings.hpp"
+#include "verify/trace_check/step_as_case.hpp"
 
 namespace tps::check {
 

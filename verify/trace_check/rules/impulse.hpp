@@ -3,12 +3,12 @@
 
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
-#include "verify/trace_check/replay.hpp"
 #include "verify/trace_check/responses.hpp"
 #include "verify/trace_check/rough.hpp"
 #include "verify/trace_check/rules/directed.hpp"
 #include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/readings.hpp"
+#include "verify/trace_check/step_as_case.hpp"
 
 namespace tps::check {
 

@@ -3,7 +3,7 @@
 
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/pair_flight.hpp"
-#include "verify/trace_check/replay.hpp"
+#include "verify/trace_check/step_as_case.hpp"
 
 namespace tps::check {
 

@@ -1,10 +1,10 @@
 // judge_lines, included by the instantiating sources only.
 #pragma once
 
-#include "verify/trace_check/checker_end_in.hpp"
-#include "verify/trace_check/checker_follow_in.hpp"
-#include "verify/trace_check/checker_in.hpp"
-#include "verify/trace_check/checker_meet_in.hpp"
+#include "verify/trace_check/checker_end_impl.hpp"
+#include "verify/trace_check/checker_follow_impl.hpp"
+#include "verify/trace_check/checker_impl.hpp"
+#include "verify/trace_check/checker_meet_impl.hpp"
 #include "verify/trace_check/decimal_digits.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 #include "verify/trace_check/read_line.hpp"
