@@ -17,6 +17,7 @@
 #include "reference/process/interrupt.hpp"
 #include "reference/text/output.hpp"
 #include "reference/text/printable.hpp"
+#include "verify/cli/line_every.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
@@ -98,19 +99,16 @@ Plan plan_of(const PropertiesArguments& a) {
 /// A line every few seconds.
 class RoundsOnStderr {
  public:
-  explicit RoundsOnStderr(bool quiet) : quiet_(quiet) {}
+  explicit RoundsOnStderr(bool quiet) : line_(std::chrono::seconds(5), quiet) {}
 
   void operator()(const Exploration& exploration) {
-    const auto now = std::chrono::steady_clock::now();
-    if (quiet_ || now < next_) return;
-    next_ = now + std::chrono::seconds(5);
+    if (!line_.due()) return;
     say("tps: {} laws to case {} of seed {}, {} cases held, {} broken\n", exploration.laws.size(),
         exploration.next, exploration.plan.seed, exploration.held(), exploration.findings().size());
   }
 
  private:
-  bool quiet_;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  LineEvery line_;
 };
 
 /// Where known answers go; empty for nowhere.

@@ -21,6 +21,7 @@
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/printable.hpp"
+#include "verify/cli/line_every.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
@@ -97,22 +98,6 @@ std::vector<std::string> expected_failures(const std::string& path) {
   return patterns;
 }
 
-/// What is being asked, every few seconds.
-class Progress {
- public:
-  explicit Progress(bool quiet) : quiet_(quiet) {}
-  void operator()(const std::string& doing) {
-    const auto now = std::chrono::steady_clock::now();
-    if (quiet_ || now < next_) return;
-    next_ = now + std::chrono::seconds(2);
-    say("tps: asking {}\n", doing);
-  }
-
- private:
-  bool quiet_;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-};
-
 conform::Plan plan_of(const ConformArguments& a) {
   conform::Plan plan;
   plan.level = a.level;
@@ -128,7 +113,9 @@ conform::Plan plan_of(const ConformArguments& a) {
   plan.stops = [limited = a.total > 0, deadline] {
     return interrupt::requested() || (limited && std::chrono::steady_clock::now() > deadline);
   };
-  plan.progress = Progress(a.quiet);
+  plan.progress = [line = LineEvery(std::chrono::seconds(2), a.quiet)](const std::string& doing) mutable {
+    if (line.due()) say("tps: asking {}\n", doing);
+  };
   return plan;
 }
 

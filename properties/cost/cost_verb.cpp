@@ -12,6 +12,7 @@
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/printable.hpp"
+#include "verify/cli/line_every.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
@@ -82,7 +83,7 @@ Json resumed(const std::string& path, Json fresh) {
 Json measured(const CostArguments& a) {
   Json study = resumed(a.json, planned(a.plan, this_machine()));
   const Announce announce = [&](const std::string& what) {
-    if (!a.quiet) say("tps: {}\n", what);
+    if (may_say_progress(a.quiet)) say("tps: {}\n", what);
     interrupt::check();
   };
   measure_study(a.plan, study, announce, [&](const Json& so_far) {

@@ -49,7 +49,7 @@ class Page:
         return shown if matches(shown, present) else present
 
     def run(self, command):
-        environment = dict(os.environ, PATH=f"{self.arguments.tps.parent}:{os.environ['PATH']}")
+        environment = dict(os.environ, PATH=f"{self.arguments.tps.parent}:{os.environ['PATH']}", TPS_PROGRESS="never")
         result = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=120,
                                 cwd=self.folder.name if self.folder else self.arguments.root, env=environment)
         return result.stdout + result.stderr

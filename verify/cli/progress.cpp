@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "verify/cli/line_every.hpp"
 #include "verify/cli/say.hpp"
 
 namespace tps::cli {
@@ -24,7 +25,9 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 ProgressReport::ProgressReport(bool quiet, std::string quantity)
-    : quiet_(quiet), quantity_(std::move(quantity)), terminal_(isatty(STDERR_FILENO) != 0) {}
+    : quiet_(!may_say_progress(quiet)),
+      quantity_(std::move(quantity)),
+      terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressReport::~ProgressReport() {
   if (drawn_) say("\r\033[K");

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "reference/text/printable.hpp"
+#include "verify/cli/line_every.hpp"
 #include "verify/cli/say.hpp"
 
 namespace tps::cli {
@@ -19,8 +20,8 @@ constexpr std::chrono::seconds kBetweenNotices(5);
 
 }  // namespace
 
-StartNotice::StartNotice(bool quiet) : stopped_(quiet) {
-  if (quiet) return;
+StartNotice::StartNotice(bool quiet) : stopped_(!may_say_progress(quiet)) {
+  if (stopped_) return;
   // Signals go to the thread that works: its system calls are the ones to be interrupted.
   sigset_t all, before;
   sigfillset(&all);
