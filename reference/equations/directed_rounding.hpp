@@ -118,6 +118,18 @@ bool changes_A(const Scalar& m_A, const Scalar& m_B, const Scalar& x, const Scal
   return (x > Scalar(0)) == B_goes_up;  // x = y: A, which goes the other way than B, is slowed by that
 }
 
+/// next_number; from 0, in a scalar whose exponents have 32 bits, the smallest normal number of quad: of
+/// 2^(−2^31) exact sums would have gigabytes, and no reader takes such exponents.
+template <typename Scalar>
+Scalar next_velocity(const Scalar& x, Rounding outwards) {
+  using std::ldexp;
+  constexpr int kLeastExponent = -16382;
+  if (x != Scalar(0) || std::numeric_limits<Scalar>::min_exponent > kLeastExponent)
+    return next_number(x, outwards);
+  const Scalar least = ldexp(Scalar(1), kLeastExponent);
+  return outwards == Rounding::up ? least : Scalar(-least);
+}
+
 }  // namespace detail
 
 /// Velocities of a pair after its response, with v_n' of the right sign in real arithmetic.
@@ -178,7 +190,7 @@ PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Sc
     }
   }
   if (detail::leaves<Scalar, D>(leaving, u_A, u_B, v, image)) return v;
-  for (const auto& [changed, outwards] : moved) *changed = next_number(*changed, outwards);
+  for (const auto& [changed, outwards] : moved) *changed = detail::next_velocity(*changed, outwards);
   return v;
 }
 

@@ -195,6 +195,20 @@ TYPED_TEST(DirectedRounding, APulledPairMovesInwards) {
   EXPECT_EQ((normal_sign<Scalar, 2>(vec<Scalar>(0, 0), vec<Scalar>(2, 0), w.v_A, w.v_B)), -1);
 }
 
+// From rest the next number is one that sums can be made of and readers take: exponents end at ±2^20.
+TYPED_TEST(DirectedRounding, APulledPairAtRestAlongTheAxisMovesInwards) {
+  using Scalar = TypeParam;
+  using std::frexp;
+  const PairVelocities<Scalar, 2> v{vec<Scalar>(0, 0), vec<Scalar>(0, 1)};
+  const auto w =
+      directed<Scalar, 2>(vec<Scalar>(0, 0), vec<Scalar>(2, 0), Scalar(1), Scalar(2), v, Leaving::together);
+  EXPECT_GT(w.v_A[0], Scalar(0));
+  int exponent = 0;
+  frexp(w.v_A[0], &exponent);
+  EXPECT_GT(exponent, -16500);
+  EXPECT_EQ((normal_sign<Scalar, 2>(vec<Scalar>(0, 0), vec<Scalar>(2, 0), w.v_A, w.v_B)), -1);
+}
+
 TYPED_TEST(DirectedRounding, OfEqualMassesTheFasterIsSlowed) {
   using Scalar = TypeParam;
   const PairVelocities<Scalar, 2> v{vec<Scalar>(2, 0), vec<Scalar>(1, 0)};
