@@ -72,12 +72,6 @@ Regression read_regression(const std::string& line, const std::string& name, std
   return {law, c, json.at("subject").get<std::string>(), json.at("why").get<std::string>()};
 }
 
-std::vector<std::string> accepted_by(const std::string& op) {
-  if (op == "order") return {"R"};
-  if (op == "group") return {"R", "K(64)"};
-  return {"R", op == "block_time" || op == "tether_time" ? "K(8)" : "K(16)"};
-}
-
 /// One line, without its id; empty where the question has no known answer.
 Json answered(const Question& question) {
   try {
@@ -144,7 +138,7 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
       line.update(answer);
       line["tags"] = {finding->shrunk.hazard, finding->law->text.id};
       line["level"] = 3;
-      line["accept"] = accepted_by(question.op);
+      line["accept"] = vectors::accepted_by(question.op);
       section.push_back(line);
     }
   }
@@ -154,7 +148,7 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
                                    "broken_laws",
                                    "cases in which an implementation broke a law",
                                    static_cast<int>(section.size()),
-                                   accepted_by(op),
+                                   vectors::accepted_by(op),
                                    nullptr};
     Json header = Json::parse(vectors::header_line(stratum, seed, {0, section.size()}));
     header["generator"] = "tps properties";

@@ -93,24 +93,27 @@ tpsLive.relativePath = function ({ events }) {
 /** Particles on their line with velocities, and the loads above them as a tree; `gone` of its nodes have been taken apart. */
 tpsLive.loadTree = function (bodies, nodes) {
   const { svg } = tpsLive;
-  const W = 640, base = 210;
-  const element = svg('svg', { viewBox: `0 0 ${W} 260`, class: 'tps-diagram', role: 'img', 'aria-label': 'Particles, their velocities and the tree of loads' });
+  const W = 400, base = 210;  // narrow, so that words can be read where a page is
+  const element = svg('svg', { viewBox: `0 0 ${W} 270`, class: 'tps-diagram tps-tree', role: 'img', 'aria-label': 'Particles, their velocities and the tree of loads' });
   element.append(tpsLive.arrowHeads());
   const ids = Object.keys(bodies);
-  const at = Object.fromEntries(ids.map((id, n) => [id, 100 + n * (W - 200) / Math.max(1, ids.length - 1)]));
+  const at = Object.fromEntries(ids.map((id, n) => [id, 70 + n * (W - 140) / Math.max(1, ids.length - 1)]));
   const fastest = Math.max(...ids.map((id) => Math.abs(bodies[id].velocity[0])), 1e-300);
-  const top = Object.fromEntries(ids.map((id) => [id, { x: at[id], y: base - 22 }]));
+  const top = Object.fromEntries(ids.map((id) => [id, { x: at[id], y: base - 20 }]));
+  const words = [];  // over all lines
   for (const node of nodes) {
-    const x = (top[node.i].x + top[node.j].x) / 2, y = Math.min(top[node.i].y, top[node.j].y) - 50;
+    const x = (top[node.i].x + top[node.j].x) / 2, y = Math.min(top[node.i].y, top[node.j].y) - 64;
     const style = node.gone ? 'stroke-dasharray:4 4;opacity:.45' : '';
     for (const id of [node.i, node.j]) element.append(svg('line', { x1: top[id].x, y1: top[id].y, x2: x, y2: y, class: 'tps-arrow tps-axis', style: `stroke-width:1.5;${style}` }));
-    element.append(svg('circle', { cx: x, cy: y, r: 6, class: 'tps-hit', style }), svg('text', { x: x + 10, y: y + 4, style }, node.text));
+    element.append(svg('circle', { cx: x, cy: y, r: 5, class: 'tps-hit', style }));
+    node.text.forEach((text, line) => words.push(svg('text', { x, y: y - 9 - 13 * (node.text.length - 1 - line), 'text-anchor': 'middle', class: 'tps-over', style: node.gone ? 'opacity:.6' : '' }, text)));
     for (const id of node.members) top[id] = { x, y };
   }
+  element.append(...words);
   ids.forEach((id, n) => {
-    element.append(svg('circle', { cx: at[id], cy: base, r: 20, fill: tpsLive.colours[n % tpsLive.colours.length] }), svg('text', { x: at[id], y: base + 4, 'text-anchor': 'middle' }, bodies[id].name));
-    const length = bodies[id].velocity[0] / fastest * 60;
-    if (Math.abs(length) > 1) element.append(svg('line', { x1: at[id], y1: base + 32, x2: at[id] + length, y2: base + 32, class: 'tps-arrow tps-velocity', style: 'stroke-width:2.5', 'marker-end': 'url(#tps-velocity)' }));
+    element.append(svg('circle', { cx: at[id], cy: base, r: 17, fill: tpsLive.colours[n % tpsLive.colours.length] }), svg('text', { x: at[id], y: base + 4, 'text-anchor': 'middle', style: 'fill:#111' }, bodies[id].name));
+    const length = bodies[id].velocity[0] / fastest * 50;
+    if (Math.abs(length) > 1) element.append(svg('line', { x1: at[id], y1: base + 28, x2: at[id] + length, y2: base + 28, class: 'tps-arrow tps-velocity', style: 'stroke-width:2.5', 'marker-end': 'url(#tps-velocity)' }));
     element.append(svg('text', { x: at[id], y: base + 48, 'text-anchor': 'middle' }, `v = ${tpsLive.short(bodies[id].velocity[0])}`));
   });
   return element;

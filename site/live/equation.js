@@ -14,23 +14,6 @@ tpsLive.starts = {
   revolution_impulse: { u_B: ['1', '0'], v_A: ['0', '0'], v_B: ['0', '1'] },
 };
 
-/** Laws that a change of the question shows: what the answer must become. */
-tpsLive.laws = [
-  { name: 'A and B exchanged: the same event, the opposite impulse', ask: (values) => tpsLive.exchanged(values), sign: { dp: -1, dp_AB: -1 }, trade: { v_A: 'v_B', v_B: 'v_A' } },
-  { name: 'velocities doubled: times halve, impulses and speeds double, bit by bit', ask: (values) => tpsLive.doubled(values), factor: { t: 0.5, dp: 2, dp_AB: 2, v_A: 2, v_B: 2, v_load: 2 } },
-];
-tpsLive.exchanged = function (values) {
-  const partner = (key) => key.replace(/_[AB]$/, (end) => (end === '_A' ? '_B' : '_A'));
-  const result = {};
-  for (const key of Object.keys(values)) result[key] = values[partner(key)] ?? values[key];
-  if (result.dp) result.dp = result.dp.map((text) => String(-tpsLive.numberOf(text)));
-  return result;
-};
-tpsLive.doubled = function (values) {
-  const factor = (key) => (key === 'dt' ? 0.5 : /^(v_|dp)/.test(key) ? 2 : 1);
-  return Object.fromEntries(Object.entries(values).map(([key, texts]) => [key, texts.map((text) => (factor(key) === 1 ? text : String(tpsLive.numberOf(text) * factor(key))))]));
-};
-
 /** What is shorter has no length in a figure: its inverse would be infinite. */
 tpsLive.smallest = 1e-290;
 
@@ -61,7 +44,7 @@ tpsLive.Equation = class {
     this.root.replaceChildren(
       element('div', { className: 'tps-live-row' }, element('label', {}, 'operation ', this.operation), button('a hard case', () => this.hardCase()), button('start again', () => this.choose(this.operation.value)),
         button('copy as tps eval …', () => this.copy(this.command())), button('copy as a request', () => this.copy(JSON.stringify({ seq: 1, op: this.op, in: this.request() }))),
-        button('copy a link', () => this.copy(location.href.split('#')[0] + this.fragment())), this.copied),
+        button('copy as known answer', () => this.copyKnownAnswer()), button('copy a link', () => this.copy(location.href.split('#')[0] + this.fragment())), this.copied),
       element('div', { className: 'tps-columns' }, element('div', {}, this.figure.element), element('div', {}, this.inputs)),
       this.says, element('div', { className: 'tps-scroll' }, this.answers), this.lawList, element('details', {}, element('summary', {}, 'The code that computes it'), this.code));
   }
@@ -133,7 +116,7 @@ tpsLive.Equation = class {
     this.drawFigure();
   }
 
-  /** What the answer in double is worth: beside the certified one, or the one in 50 digits. */
+  /** What the answer in double is worth: beside the certified one. */
   verdictWords() {
     const result = (report, key) => report.results.find((q) => q.key === key);
     if (this.op === 'block_time' || this.op === 'tether_time') {
@@ -144,13 +127,41 @@ tpsLive.Equation = class {
       const ulps = tpsLive.ulpsApart(tpsLive.numberOf(mine.t), tpsLive.numberOf(sure.t));
       return [`Certified: ${sure.verdict}, Δt = ${sure.t}; the answer in double is ${ulps === 0n ? 'the nearest one' : `${ulps} ulp off`}.`];
     }
+    const known = this.knownAnswer();
+    if (!known) return this.besideFiftyDigits();
+    const one = known.case;
+    if (one.kind && one.kind !== result(this.report, 'kind').word) {
+      return [one.also ? `Rounding decides between ${one.kind} and ${one.also[0].kind} here, and either is right.` : `The certified response is to ${one.kind}: in double this is another one.`];
+    }
+    const off = Object.entries(one.out).map(([key, enclosures]) => {
+      const q = result(this.report, key);
+      return `${q.symbol} ${tpsLive.ulpsWords(q.hex.map((x, n) => tpsLive.place(tpsLive.numberOf(x)) - tpsLive.nearestPlace(enclosures[n], one.nearest[key][n])))}`;
+    });
+    return [`Against the certified enclosures: ${off.join(', ')}. A component that nearly cancels is many of its own ulps off.`];
+  }
+
+  /** Of eq. (1), which has no certified answers here. */
+  besideFiftyDigits() {
     const wide = this.ask({ do: 'eval', op: this.op, scalar: 'mp50', in: this.request() });
     const off = this.report.results.filter((q) => q.hex.length).map((q) => {
-      const other = result(wide, q.key).decimal.map(Number);
-      const most = q.hex.reduce((m, x, n) => { const d = tpsLive.ulpsApart(tpsLive.numberOf(x), other[n]); return d > m ? d : m; }, 0n);
-      return `${q.symbol} ${most === 0n ? 'nearest' : `${most} ulp`}`;
+      const other = wide.results.find((o) => o.key === q.key).decimal.map(Number);
+      return `${q.symbol} ${tpsLive.ulpsWords(q.hex.map((x, n) => tpsLive.place(tpsLive.numberOf(x)) - tpsLive.place(other[n])))}`;
     });
-    return [`Against the same in 50 digits, rounded: ${off.join(', ')}. A component that nearly cancels is many of its own ulps off.`];
+    return [`Against the same in 50 digits, rounded: ${off.join(', ')}.`];
+  }
+
+  /** Header and case of the present question, as `tps vectors verify` reads them; null where it has no single known answer. */
+  knownAnswer() {
+    try {
+      return this.ask({ do: 'known_answer', op: this.op, in: this.request() });
+    } catch {
+      return null;
+    }
+  }
+  copyKnownAnswer() {
+    const known = this.knownAnswer();
+    if (known) this.copy(`${JSON.stringify(known.header)}\n${JSON.stringify(known.case)}\n`);
+    else this.copied.textContent = 'this question has no known answer';
   }
 
   showAnswers() {
@@ -192,21 +203,9 @@ tpsLive.Equation = class {
   }
 
   showLaws() {
-    const results = Object.fromEntries(this.report.results.map((q) => [q.key, q]));
-    this.lawList.replaceChildren(...tpsLive.laws.map((law) => {
-      let holds = true;
-      try {
-        const other = this.ask({ do: 'eval', op: this.op, scalar: 'double', in: this.request(law.ask(this.values)) });
-        for (const q of other.results) {
-          const mine = results[(law.trade && law.trade[q.key]) || q.key];
-          const factor = ((law.factor && law.factor[q.key]) || 1) * ((law.sign && law.sign[q.key]) || 1);
-          holds &&= q.word === mine.word && q.hex.every((x, n) => tpsLive.numberOf(x) === tpsLive.numberOf(mine.hex[n]) * factor);
-        }
-      } catch {
-        return tpsLive.element('li', {}, `${law.name}: cannot be asked here`);
-      }
-      return tpsLive.element('li', { className: holds ? 'tps-law' : 'tps-law tps-broken' }, law.name);
-    }));
+    const ask = (values) => this.ask({ do: 'eval', op: this.op, scalar: 'double', in: this.request(values) });
+    this.lawList.replaceChildren(...tpsLive.judgeLaws(this.op, this.values, this.report, ask).map(({ name, holds }) => (
+      holds === undefined ? tpsLive.element('li', {}, `${name}: cannot be asked here`) : tpsLive.element('li', { className: holds ? 'tps-law' : 'tps-law tps-broken' }, name))));
   }
 
   /** In the page's decision tables the row whose verdict it is and whose conditions hold. */

@@ -144,7 +144,7 @@ tpsLive.experiments.grouping = class extends tpsLive.Experiment {
     for (const e of this.trace.events.slice(0, this.step)) {
       if (e.members) {
         const members = e.members.map(String);
-        nodes.push({ i: String(e.i), j: String(e.j), members, sides: [groups.get(String(e.i)), groups.get(String(e.j))], text: `v_load = ${tpsLive.short(e.post[e.i].velocity[0])}, Δp_AB = ${tpsLive.short(e.dp_stored[0])}` });
+        nodes.push({ i: String(e.i), j: String(e.j), members, sides: [groups.get(String(e.i)), groups.get(String(e.j))], text: [`v_load = ${tpsLive.short(e.post[e.i].velocity[0])}`, `Δp_AB = ${tpsLive.short(e.dp_stored[0])}`] });
         for (const id of members) groups.set(id, members);
       } else if (e.kind === 'restitute') {
         const node = nodes.findLast((n) => !n.gone && n.i === String(e.i) && n.j === String(e.j));

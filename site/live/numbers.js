@@ -24,6 +24,14 @@ tpsLive.place = function (x) {
 };
 tpsLive.ulpsApart = (a, b) => { const d = tpsLive.place(a) - tpsLive.place(b); return d < 0n ? -d : d; };
 
+/** Where the nearest double of a number between two others stands. @param which "lo", "hi", or "mid", the one between them. */
+tpsLive.nearestPlace = ([lo, hi], which) => tpsLive.place(tpsLive.numberOf(which === 'hi' ? hi : lo)) + (which === 'mid' ? 1n : 0n);
+/** "nearest", or the largest of distances that are counted in doubles. */
+tpsLive.ulpsWords = function (distances) {
+  const most = distances.reduce((m, d) => { const size = d < 0n ? -d : d; return size > m ? size : m; }, 0n);
+  return most === 0n ? 'nearest' : `${most} ulp`;
+};
+
 /** Nine digits for the eye. */
 tpsLive.short = (decimal) => (decimal === 'inf' || decimal === '-inf' ? decimal : String(Number(Number(decimal).toPrecision(9))));
 

@@ -60,6 +60,23 @@ test('certified times and orders are those of the files', () => {
   assert.ok(count > 5000);
 });
 
+// Intervals of the page's own (site/wasm/library/ball.cpp) have to prove what Arb's balls prove in the program. A condition number is written to three digits, from doubles
+// whose roots and powers are the library's.
+test('known answers with their proofs and enclosures are those of the files', () => {
+  const asked = cases.filter((one) => evaluated.includes(one.op));
+  let otherConditions = 0;
+  for (const one of asked) {
+    const { case: mine } = JSON.parse(ask({ do: 'known_answer', op: one.op, in: one.in }));
+    for (const key of ['in', 'verdict', 't', 'nearest', 'proof', 'kind', 'out']) assert.deepEqual(mine[key], one[key], `${one.id}: ${key}`);
+    assert.deepEqual(mine.also?.map((a) => a.out), one.also?.map((a) => a.out), one.id);
+    if (JSON.stringify(mine.cond) === JSON.stringify(one.cond)) continue;
+    otherConditions++;
+    assert.ok(Math.abs(mine.cond / one.cond - 1) < 0.011, `${one.id}: cond ${mine.cond}, ${one.cond}`);
+  }
+  console.log(`${asked.length} known answers; ${otherConditions} condition numbers have another third digit`);
+  assert.ok(otherConditions < asked.length / 1000);
+});
+
 for (const timing of ['stable', 'certified']) {
   test(`traces of 500 events are the native ones byte by byte, ${timing}`, () => {
     const requests = scenes().map(([, scene]) => ({ do: 'run', scene, timing, max_events: 500 }));

@@ -91,6 +91,79 @@ test('hard cases of every operation are answered, and laws are shown to hold', a
   }
 });
 
+test('laws are those that the present case can show, and one that breaks is shown', async () => {
+  const { page, wrong } = await open(browser, path.join(site, 'eq2.html'));
+  await ready(page);
+  const laws = () => page.locator('.tps-equation ul li').allTextContents();
+  const general = await laws();
+  assert.ok(general.length >= 8 && general.some((l) => l.startsWith('a larger limit')) && general.some((l) => l.startsWith('turned by a quarter')), general.join('; '));
+  assert.ok(!general.some((l) => l.startsWith('masses')), 'eq. (2) has no masses');
+  await page.getByLabel('v_A, x').fill('-1');
+  assert.ok(!(await laws()).some((l) => l.startsWith('a larger limit')), 'a pair that recedes has no hit to compare');
+  // An answer with another last bit, or none, breaks every law that asks another question.
+  const broken = await page.evaluate(async () => {
+    const { live } = document.querySelector('.tps-equation');
+    await live.choose('block_time');
+    const values = live.values, honest = live.ask, answer = live.report;
+    const flipped = (request) => { const other = honest(request); for (const q of other.results) q.hex = q.hex.map((x) => (x.startsWith('0x1.') ? x.replace(/.p/, (d) => (d === '1p' ? '3p' : '1p')) : x)); return other; };
+    const silent = (request) => ({ ...honest(request), results: answer.results.map((q) => ({ ...q, hex: [], word: '' })) });
+    const names = (ask) => tpsLive.judgeLaws('block_time', values, answer, (v) => ask({ do: 'eval', op: 'block_time', scalar: 'double', in: live.request(v) })).filter((l) => l.holds === false).length;
+    return { honest: names(honest), flipped: names(flipped), silent: names(silent), all: tpsLive.judgeLaws('block_time', values, answer, () => answer).length };
+  });
+  assert.equal(broken.honest, 0);
+  assert.equal(broken.flipped, broken.all - 2, 'all but the two that a bit in the last place does not touch');
+  assert.equal(broken.silent, broken.all - 1, 'all but the one that looks at the present answer alone');
+  await page.goto(`file://${path.join(site, 'eq3.html')}#op=apply_impulse&v_A=1,0.5&v_B=0.25,0&m_A=1&m_B=inf&dp=-1,0.5`);
+  await page.reload();
+  await ready(page);
+  assert.ok((await laws()).some((l) => l.startsWith('an infinite mass')), (await laws()).join('; '));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test('what is copied as a known answer is one: tps vectors verify proves it', async () => {
+  for (const name of ['eq2', 'eq3', 'eq4', 'eq5', 'eq6', 'eq7']) {
+    const { page } = await open(browser, path.join(site, `${name}.html`));
+    await ready(page);
+    const copied = await page.evaluate(async () => {
+      const { live } = document.querySelector('.tps-equation');
+      const texts = [];
+      live.copy = (text) => texts.push(text);
+      for (const op of live.ops.filter((o) => o !== 'paper_time')) {
+        for (let n = 0; n < 6; n++) {
+          await live.choose(op);
+          for (let k = 0; k < n; k++) { live.hardCase(); await new Promise((resolve) => setTimeout(resolve)); }
+          [...document.querySelectorAll('.tps-equation button')].find((b) => b.textContent === 'copy as known answer').click();
+        }
+      }
+      return texts;
+    });
+    assert.ok(copied.length >= 6, `${name}: ${copied.length}`);
+    const run = spawnSync(tps, ['vectors', 'verify', '-'], { input: copied.join(''), encoding: 'utf8' });
+    assert.equal(run.status, 0, run.stdout + run.stderr);
+    const [header, text] = copied[0].split('\n');
+    const known = JSON.parse(text);
+    if (known.t) known.t = ['0x1p+100', '0x1p+100']; else Object.values(known.out)[0][0] = ['0x1p+100', '0x1p+100'];
+    const forged = `${header}\n${JSON.stringify(known)}\n`;
+    assert.equal(spawnSync(tps, ['vectors', 'verify', '-'], { input: forged, encoding: 'utf8' }).status, 1, 'a forged one passes');
+    await page.close();
+  }
+});
+
+test('responses are compared with certified enclosures', async () => {
+  const { page } = await open(browser, path.join(site, 'eq5.html'));
+  await ready(page);
+  assert.match(await page.locator('.tps-says').first().textContent(), /^Against the certified enclosures: .*(nearest|ulp)/);
+  const told = await page.evaluate(() => {
+    const { live } = document.querySelector('.tps-equation');
+    const honest = live.report.results.find((q) => q.key === 'dp').hex.slice();
+    live.report.results.find((q) => q.key === 'dp').hex = honest.map((x) => (x.endsWith('p-1') || !x.includes('.') ? x : x.replace(/.p/, '5p')));
+    return [live.verdictWords()[0], honest.join()];
+  });
+  assert.match(told[0], /\d+ ulp/, told.join(' '));
+  await page.close();
+});
+
 test('the row of the decision table that applies is marked', async () => {
   const { page } = await open(browser, `${path.join(site, 'eq2.html')}#op=tether_time&u_A=0,0&u_B=1,0&v_A=0,0&v_B=1,0&L=1`);
   await ready(page);

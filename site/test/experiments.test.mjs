@@ -62,7 +62,16 @@ test('grouping: two loads, then two restitutions from the root', async () => {
     await place.locator('.tps-says', { hasText: expected }).waitFor();
   }
   const speeds = await place.locator('svg text').allTextContents();
-  assert.ok(speeds.some((t) => t.startsWith('v_load')), speeds.join());
+  assert.ok(speeds.some((t) => t.startsWith('v_load')) && speeds.some((t) => t.startsWith('Δp_AB')), speeds.join());
+  // No word leaves the picture or lies on another one, and on a telephone all can still be read.
+  for (const width of [1200, 360]) {
+    await page.setViewportSize({ width, height: 900 });
+    const { frame, words } = await place.locator('svg').evaluate((svg) => ({ frame: svg.getBoundingClientRect().toJSON(), words: [...svg.querySelectorAll('text')].map((t) => ({ text: t.textContent, ...t.getBoundingClientRect().toJSON() })) }));
+    for (const w of words) assert.ok(w.left >= frame.left && w.right <= frame.right && w.top >= frame.top && w.bottom <= frame.bottom, `${w.text} is cut off at ${width} px`);
+    for (const [n, a] of words.entries()) for (const b of words.slice(n + 1)) assert.ok(a.right < b.left || b.right < a.left || a.bottom <= b.top + 2 || b.bottom <= a.top + 2, `${a.text} and ${b.text} overlap at ${width} px`);
+    assert.ok(words.every((w) => w.height >= 7), `words of ${Math.min(...words.map((w) => w.height))} px at ${width} px`);
+  }
+  await page.setViewportSize({ width: 1200, height: 900 });
 });
 
 test('nothing was complained about', () => assert.deepEqual(wrong, []));

@@ -109,6 +109,47 @@ test('a click selects the particle that is seen there', async () => {
   await page.close();
 });
 
+test('the place in the run is dragged, and particles go along; the picture turns by dragging and grows by the wheel', async () => {
+  assert.equal(run('view', sceneOf('cradle'), '-q', '-o', file('drag.html')).status, 0);
+  const { page, wrong } = await open(browser, file('drag.html'));
+  const scrub = await page.locator('#scrub').boundingBox();
+  const y = scrub.y + scrub.height / 2, at = (share) => scrub.x + 8 + share * (scrub.width - 16);  // the middle of the thumb goes from 8 to 8 pixels before the end
+  await page.mouse.move(at(0), y);
+  await page.mouse.down();
+  const seen = [];
+  for (const share of [0.25, 0.5, 0.75]) {
+    await page.mouse.move(at(share), y, { steps: 3 });
+    seen.push(await page.evaluate(() => {
+      const { motion } = TPS.page;
+      return { share: motion.t / motion.tEnd, events: motion.n, due: motion.eventsUntil(motion.t), clock: document.getElementById('clock').textContent, place: motion.place(0)[0] };
+    }));
+  }
+  await page.mouse.up();
+  seen.forEach((one, k) => {
+    assert.ok(Math.abs(one.share - (k + 1) / 4) < 0.02, JSON.stringify(seen));
+    assert.equal(one.events, one.due, 'the events are those until the time');
+  });
+  assert.equal(new Set(seen.map((one) => one.clock)).size, 3);
+  const after = await page.evaluate(() => TPS.page.motion.t);
+  await page.mouse.move(at(0.1), y);
+  assert.equal(await page.evaluate(() => TPS.page.motion.t), after, 'it goes on though the button is up');
+
+  const view = () => page.evaluate(() => ({ zoom: TPS.page.picture.zoom, offset: { ...TPS.page.picture.offset }, seen: TPS.page.picture.project(TPS.page.motion.place(0)) }));
+  const picture = await page.locator('#picture').boundingBox();
+  const before = await view();
+  await page.mouse.move(picture.x + 200, picture.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(picture.x + 260, picture.y + 230, { steps: 4 });
+  await page.mouse.up();
+  const dragged = await view();
+  assert.ok(Math.hypot(dragged.seen.x - before.seen.x, dragged.seen.y - before.seen.y) > 5, JSON.stringify([before, dragged]));
+  await page.mouse.wheel(0, -300);
+  await page.waitForTimeout(100);
+  assert.ok((await view()).zoom > dragged.zoom, 'the wheel magnifies');
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
 test('a film is an archive of pictures that differ', async () => {
   assert.equal(run('view', sceneOf('chain'), '-q', '-o', file('film.html')).status, 0);
   const { page, wrong } = await open(browser, file('film.html'));

@@ -24,6 +24,8 @@
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/scenes/registry.hpp"
+#include "verify/vectors/generate.hpp"
+#include "verify/vectors/known_answer.hpp"
 
 namespace tps::web {
 namespace {
@@ -117,6 +119,42 @@ Json certified_answer(const JsonValue& request) {
           {"t", answered.t ? Json(write_hex_float(*answered.t)) : Json()}};
 }
 
+/// The question of a request in hexadecimal floats, as files of known answers have it.
+Json question(const eval::Operation& operation, const JsonValue& request) {
+  const eval::Input input = eval::read_value(operation, member(request, "in"), kSource, "/in");
+  Json in = Json::object();
+  for (const std::string& key : operation.keys) {
+    const std::vector<double>& x = input.values.at(key);
+    in[key] = x.size() > 1 ? vectors::hex(x) : vectors::hex(x[0]);
+  }
+  return in;
+}
+
+/// A file of one known answer: its header and its case.
+Json known_answer(const JsonValue& request) {
+  const std::string& op = text(request, "op");
+  const eval::Operation* operation = eval::find_operation(op);
+  if (operation == nullptr || op == "distance")
+    throw std::invalid_argument("known answers are of eqs. (2) to (7), not of " + op);
+  const Json in = question(*operation, request);
+  const Json header{{"schema", "vectors"},
+                    {"version", vectors::kVectorsVersion},
+                    {"semantics", 1},
+                    {"op", op},
+                    {"stratum", "page"},
+                    {"why", "asked on a page"},
+                    {"generator", "tps site"},
+                    {"seed", 0},
+                    {"first", 0},
+                    {"count", 1}};
+  Json known{{"id", op + ".page.00000"}, {"rev", 1}, {"in", in}};
+  known.update(vectors::known_answer(op, in));
+  known["tags"] = Json::array({"page"});
+  known["level"] = 3;
+  known["accept"] = vectors::accepted_by(op);
+  return {{"header", header}, {"case", known}};
+}
+
 /// Where A and B are at a time: the inside of eq. (1)'s root, for pictures.
 Json flown(const JsonValue& request) {
   const eval::Operation& operation = *eval::find_operation("distance");
@@ -172,6 +210,7 @@ Json answered(std::string_view text_of_request) {
   if (what == "operations") return operations();
   if (what == "eval") return evaluated(document.root);
   if (what == "certified") return certified_answer(document.root);
+  if (what == "known_answer") return known_answer(document.root);
   if (what == "flight") return flown(document.root);
   if (what == "scene") return built_scene(document.root);
   if (what == "run") return run(document.root);

@@ -4,15 +4,10 @@
 
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tps::certified {
 namespace {
-
-thread_local WorkingPrecision* innermost = nullptr;
-
-constexpr long kBitsWithoutAChoice = 512;
 
 /// An integer of FLINT.
 class Flint {
@@ -46,20 +41,6 @@ class Flint {
 };
 
 }  // namespace
-
-WorkingPrecision::WorkingPrecision(long bits) : outer_(std::exchange(innermost, this)), bits_(bits) {}
-
-WorkingPrecision::~WorkingPrecision() {
-  innermost = outer_;
-}
-
-long WorkingPrecision::bits() {
-  return innermost != nullptr ? innermost->bits_ : kBitsWithoutAChoice;
-}
-
-void WorkingPrecision::doubt() {
-  if (innermost != nullptr) innermost->doubted_ = true;
-}
 
 struct Ball::Arb {
   Arb() { arb_init(x); }

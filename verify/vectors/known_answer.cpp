@@ -123,4 +123,10 @@ Json known_answer(std::string_view op, const Json& in) {
   return response_answer(op, in);
 }
 
+std::vector<std::string> accepted_by(std::string_view op) {
+  if (op == "order") return {"R"};
+  if (op == "group") return {"R", "K(64)"};
+  return {"R", op == "block_time" || op == "tether_time" ? "K(8)" : "K(16)"};
+}
+
 }  // namespace tps::vectors

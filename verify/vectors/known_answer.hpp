@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +30,9 @@ exact::TimingQuery read_timing_input(exact::Kind kind, const Json& in);
 /// number. `in` is read as `tps serve` reads it. Throws InputError where the operation does not take it,
 /// std::invalid_argument for an operation without known answers and for a question without a single one.
 Json known_answer(std::string_view op, const Json& in);
+
+/// The tolerance classes that a known answer of an operation accepts where nobody has others in mind
+/// (docs/vectors.md, "Who passes").
+std::vector<std::string> accepted_by(std::string_view op);
 
 }  // namespace tps::vectors
