@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "reference/text/input_error.hpp"
+#include "tests/support/processor_time.hpp"
 
 namespace tps {
 namespace {
@@ -57,9 +57,9 @@ TEST(PlainJson, AHundredThousandKeysTakeNoTime) {
   std::string text = "{";
   for (int n = 0; n < 100'000; ++n) text += "\"k" + std::to_string(n) + "\":0,";
   text.back() = '}';
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   EXPECT_EQ(parse_plain_json(text, "f").size(), 100'000U);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_LT(processor_seconds() - start, 10);
 }
 
 }  // namespace
