@@ -10,6 +10,9 @@ def hexadecimal(x):
             return "inf"
         if x == 0:
             return "-0x0p+0" if math.copysign(1, x) < 0 else "0x0p+0"
+        if abs(x) >= 2.0**-1022:
+            digits, exponent = x.hex().split("p")
+            return f"{digits.rstrip('0').rstrip('.') if '.' in digits else digits}p{exponent}"
         x = Fraction(x)
     if x == 0:
         return "0x0p+0"
@@ -43,11 +46,13 @@ def after(t, dt):
 
 def elapsed(earlier, later):
     """later − earlier, rounded once to a double."""
+    if earlier[1] == later[1]:
+        return later[0] - earlier[0]
     return float(exact(later) - exact(earlier))
 
 
 def exact(t):
-    return Fraction(t[0]) + Fraction(t[1])
+    return Fraction(t[0]) + Fraction(t[1]) if t[1] else Fraction(t[0])
 
 
 def next_after(x, steps=1):
