@@ -35,12 +35,16 @@ TEST(HardCases, OfAGrazingTrainAreMissedByThePrintedFormulaAlone) {
   EXPECT_EQ(train.good_enough()->scalar, "double");
   EXPECT_EQ(train.good_enough()->timing, "stable");
   EXPECT_LT(in(train, "double", "paper").events, 19U);
+  // A pass at L(1 - 2^-40) from 1024 L away: 40 bits of the miss and 10 of the way, and some to tell them
+  // apart.
+  EXPECT_EQ(train.proven_bits, 64);
 }
 
 /// A pair that should rest must not creep: what is beyond the limit after 2^40 is what landing on it left.
 TEST(HardCases, OfPairsAtRestDoNotCreep) {
   const CaseResult rest = result_of("resting");
   EXPECT_EQ(rest.events, 20U) << "one contact each, and no second";
+  EXPECT_EQ(rest.proven_bits, 113);
   for (const CaseOutcome& outcome : rest.outcomes) {
     EXPECT_FALSE(outcome.horizon) << outcome.scalar << " " << outcome.timing;
     // Two coordinates a component, each advanced with an error of an ulp, three components.
@@ -52,6 +56,7 @@ TEST(HardCases, OfTheEndsOfThetaRevolveInEveryScalar) {
   for (const char* name : {"theta-least", "theta-most"}) {
     const CaseResult circling = result_of(name);
     EXPECT_EQ(circling.events, 300U);
+    EXPECT_EQ(circling.unproven, "start") << "the pair is taut from the beginning";
     for (const CaseOutcome& outcome : circling.outcomes) {
       EXPECT_FALSE(outcome.horizon) << name << " " << outcome.scalar << " " << outcome.timing;
     }

@@ -20,8 +20,8 @@ constexpr const char* kResponsesText =
 )";
 constexpr const char* kRunsText =
     R"(<h2 id="runs">Whole runs: the horizon</h2>
-<p>How many events, in order, are those of the run in 100 digits. A scalar that has all of them has no mark. <i>Proven</i>: events that are certain
-in affine arithmetic of so many bits; at 53, for every start within the rounding of the scene's numbers.</p>
+<p>How many events, in order, are those of the run in 100 digits. What has all of them has no mark. <i>Proven</i>: events that are certain
+in affine arithmetic of so many bits; for every start within the rounding of the scene's numbers, at the 53 bits of these.</p>
 )";
 constexpr const char* kGroupingText =
     R"(<h2 id="grouping">What the time of restitution buys and costs</h2>
@@ -58,6 +58,12 @@ class Lines {
   Lines(Names& names, std::string title, Axis x, Axis y)
       : names_(&names), plot_(std::move(title), std::move(x), std::move(y)) {}
 
+  /// Marks alone: what lies side by side is no row of numbers.
+  Lines& without_lines() {
+    are_drawn_ = false;
+    return *this;
+  }
+
   void add(const std::string& name, Position at, const std::string& tip) {
     plot_.point(at, names_->style(name), "", name + ": " + tip);
     lines_[name].push_back(at);
@@ -67,7 +73,7 @@ class Lines {
     std::string legend;
     for (const auto& [name, points] : lines_) {
       const std::string style = names_->style(name);
-      plot_.line(points, style);
+      if (are_drawn_) plot_.line(points, style);
       legend += fmt::format("<span class=\"key {}\"></span> {} ", style, xml_text(name));
     }
     std::string text = plot_.figure();
@@ -77,6 +83,7 @@ class Lines {
  private:
   Names* names_;
   Plot plot_;
+  bool are_drawn_ = true;
   std::map<std::string, std::vector<Position>> lines_;
 };
 
@@ -107,6 +114,12 @@ std::string figures(std::vector<Lines> all) {
   return text + "</div>\n";
 }
 
+/// As many as were asked for, or as there are.
+bool has_all(const Json& proven) {
+  const std::string why = text_at(proven, "ends_by");
+  return why == "events" || why == "end";
+}
+
 std::string proven_list(const Json& proven) {
   std::string text = "<ul>\n";
   for (const Json& row : proven) {
@@ -129,6 +142,7 @@ std::string responses_page(const Json& responses) {
               {"ns a response", 0, 6, 10, 1});
   Lines errors(names, "error in double, by stratum", {"stratum, in the order of the table", 0, 13, 0, 1},
                {"relative error, p99", -55, 1, 2, 5});
+  errors.without_lines();
   std::string table =
       "<div "
       "class=\"scroll\"><table>\n<tr><th>operation</th><th>stratum</th><th>scalar</th><th>ns</th><th>asked</"
@@ -177,6 +191,7 @@ std::string runs_page(const Json& runs) {
                fmt::format("{}, {:.4g} events a second", text_at(row, "scalar"), rate));
   }
   for (const Json& row : runs.at("proven")) {
+    if (has_all(row)) continue;
     const bool every_start = row.at("starts") == "rounding";
     horizons.add(text_at(row, "scene") + (every_start ? ", proven for every start" : ", proven"),
                  {every_start ? kDoubleBits : number_at(row, "bits"), number_at(row, "events")},
