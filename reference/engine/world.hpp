@@ -33,9 +33,9 @@
 namespace tps {
 
 /// A particle where it was when its velocity last changed; from there it flies straight. In space and in
-/// double it fills a cache line; elsewhere alignas(0) asks for nothing.
+/// double it fills a cache line; elsewhere it is aligned as its vectors are.
 template <typename Scalar, int D>
-struct alignas(sizeof(Scalar) * (2 * D + 2) == 64 ? 64 : 0) ParticleState {
+struct alignas(sizeof(Scalar) * (2 * D + 2) == 64 ? 64 : alignof(Vector<Scalar, D>)) ParticleState {
   Vector<Scalar, D> position, velocity;
   Time<Scalar> clock;
 };
