@@ -60,6 +60,16 @@ Time<Scalar> two_sum(const Scalar& x, const Scalar& y) {
   return {sum, (x - (sum - part)) + (y - part)};
 }
 
+namespace detail {
+
+/// elapsed() by integers. Apart, so that the rest of it is short enough to stand where it is used.
+template <typename Scalar>
+[[gnu::noinline]] Scalar exactly_elapsed(const Time<Scalar>& earlier, const Time<Scalar>& later) {
+  return nearest<Scalar>((dyadic(later.hi) - dyadic(earlier.hi)) + (dyadic(later.lo) - dyadic(earlier.lo)));
+}
+
+}  // namespace detail
+
 /// later − earlier, rounded to the scalar. REQUIRES both finite.
 ///
 /// For float, double and long double this is the number nearest to the exact difference, to even where there
@@ -81,7 +91,7 @@ Scalar elapsed(const Time<Scalar>& earlier, const Time<Scalar>& later) {
   const Scalar least = large.hi + (rest - doubt);
   const Scalar most = large.hi + (rest + doubt);
   if (least == most) return least;
-  return nearest<Scalar>((dyadic(later.hi) - dyadic(earlier.hi)) + (dyadic(later.lo) - dyadic(earlier.lo)));
+  return detail::exactly_elapsed<Scalar>(earlier, later);
 }
 
 }  // namespace tps

@@ -57,7 +57,7 @@ class Effect {
   virtual void queue_known(World<Scalar, D>&) {}
 
   /// What decides about this effect's next event of a pair, i < j, on the present states; nothing where it
-  /// has none.
+  /// has none. A pair that certainly never comes to its blocking distance, and has no tether, is not asked.
   virtual std::optional<LimitQuestion<Scalar>> asks(const World<Scalar, D>&, int /*i*/, int /*j*/) const {
     return std::nullopt;
   }

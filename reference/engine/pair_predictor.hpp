@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/relative_state.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps {
@@ -33,7 +34,7 @@ class PairPredictor {
   /// states and the image.
   std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, int i, int j,
                                                const Time<Scalar>& t) const {
-    if (!can_meet(world, i, j)) return std::nullopt;
+    if (passes_by(world, i, j, t) || !can_meet(world, i, j)) return std::nullopt;
     if (world.box) return earliest(world, world.imaged_view(i, j, t));
     return earliest(world, world.view(i, j));
   }
@@ -45,6 +46,14 @@ class PairPredictor {
   }
 
  private:
+  /// Most pairs are asked in vain; this is the short way to say so. A pair that has no tether has one limit.
+  static bool passes_by(const World<Scalar, D>& world, int i, int j, const Time<Scalar>& t) {
+    const Law<Scalar>& law = world.law(i, j);
+    if (!law.blocking || world.tethered(i, j)) return false;
+    const std::optional<RelativeState<Scalar, D>> pair = relative_state(world, i, j, t);
+    return pair && world.timing.passes_by(*pair, law.blocking->distance);
+  }
+
   template <typename View>
   std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, const View& pair) const {
     const int i = pair.i;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "reference/engine/clock.hpp"
 #include "reference/equations/periodic_image.hpp"
@@ -46,17 +48,27 @@ class PeriodicBox {
   }
 
   /// Whether coordinates are still known to a 64th of the room: eight roundings of them lead to a difference.
-  bool knows(const Vec& u) const { return u.cwiseAbs().maxCoeff() < farthest_; }
+  bool knows(const Vec& u) const {
+    bool all = true;
+    for (int k = 0; k < D; ++k) all = all && knows(u[k]);
+    return all;
+  }
+  bool knows(const Scalar& coordinate) const {
+    using std::abs;
+    return abs(coordinate) < farthest_;
+  }
 
   /// The image of j that is nearest to i, along each axis for itself; of two, either.
   PeriodicImage<Scalar, D> nearest(const Vec& u_i, const Vec& u_j) const {
-    using std::floor;
     PeriodicImage<Scalar, D> image{Vec::Zero(), edges_};
     for (int k = 0; k < D; ++k) {
-      if (edges_[k] == Scalar(0)) continue;
-      image.n[k] = -floor(Scalar((u_j[k] - u_i[k]) / edges_[k] + Scalar(0.5)));
+      if (edges_[k] != Scalar(0)) image.n[k] = number(k, Scalar(u_j[k] - u_i[k]));
     }
     return image;
+  }
+  /// n·edge of that image along axis k, from the difference of two places that are known.
+  Scalar shift(int k, const Scalar& r) const {
+    return edges_[k] != Scalar(0) ? Scalar(number(k, r) * edges_[k]) : Scalar(0);
   }
 
   /// Until when only the image that is nearest at t can be met, by a pair of the relative velocity v.
@@ -72,6 +84,20 @@ class PeriodicBox {
   const Vec& edges() const { return edges_; }  ///< 0 along an open axis
 
  private:
+  Scalar number(int k, const Scalar& r) const {
+    return Scalar(-floored(Scalar(r / edges_[k] + Scalar(0.5))));
+  }
+  /// ⌊x⌋; in numbers of the hardware without a call of the library, |x| being far below 2⁶³.
+  static Scalar floored(const Scalar& x) {
+    if constexpr (std::is_floating_point_v<Scalar>) {
+      const auto towards_zero = static_cast<Scalar>(static_cast<std::int64_t>(x));
+      return towards_zero - (x < towards_zero ? Scalar(1) : Scalar(0));
+    } else {
+      using std::floor;
+      return floor(x);
+    }
+  }
+
   Vec edges_, room_;
   Scalar farthest_;
 };

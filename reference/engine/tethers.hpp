@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "reference/engine/large_pages.hpp"
+
 namespace tps {
 
 /// The tethers that formed or were listed (permanent ones follow from the pair's law and are not kept).
@@ -97,8 +99,8 @@ class Responded {
   static constexpr int kSeveral = -2;
 
   std::vector<char> fixed_;
-  std::vector<Entries> entries_;
-  std::vector<Entry> glances_;  ///< a lone entry, nobody, or several: most questions need no list
+  LargeVector<Entries> entries_;
+  LargeVector<Entry> glances_;  ///< a lone entry, nobody, or several: most questions need no list
 };
 
 }  // namespace tps

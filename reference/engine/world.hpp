@@ -16,6 +16,7 @@
 
 #include "reference/engine/clock.hpp"
 #include "reference/engine/coupling.hpp"
+#include "reference/engine/large_pages.hpp"
 #include "reference/engine/laws.hpp"
 #include "reference/engine/ledger.hpp"
 #include "reference/engine/pair_timing.hpp"
@@ -57,7 +58,7 @@ class World {
   Time<Scalar> now;
   Time<Scalar> last_event;
   std::uint64_t events = 0;
-  std::vector<ParticleState<Scalar, D>> particles;
+  LargeVector<ParticleState<Scalar, D>> particles;
   std::vector<std::uint32_t> revisions;  ///< of the particles: raised whenever predictions become void
   Tethers tethers;
   Responded responded;
@@ -100,7 +101,8 @@ class World {
   /// places are no longer known well enough.
   ImagedPairView<Scalar, D> imaged_view(int i, int j, const Time<Scalar>& t) const {
     const PairView<Scalar, D> seen = view(i, j);
-    const PeriodicImage<Scalar, D> image = nearest_image(i, j, t);
+    const PeriodicImage<Scalar, D> image =
+        seen.start == t ? nearest_image(i, j, seen.u_i, seen.u_j) : nearest_image(i, j, t);
     return {{i, j, seen.start, Vec(Vec::Zero()), image.difference(seen.u_i, seen.u_j), seen.v_i, seen.v_j},
             seen.u_i,
             seen.u_j,
@@ -108,13 +110,16 @@ class World {
   }
   /// REQUIRES box. Throws OutOfRange.
   PeriodicImage<Scalar, D> nearest_image(int i, int j, const Time<Scalar>& t) const {
-    const Vec u_i = position(i, t);
-    const Vec u_j = position(j, t);
-    for (const int n : {i, j}) {
-      if (!box->knows(n == i ? u_i : u_j))
-        throw OutOfRange("the number of edges of the box that " + particle_name(scene, n) + " has crossed");
-    }
+    return nearest_image(i, j, position(i, t), position(j, t));
+  }
+  /// The same from their positions.
+  PeriodicImage<Scalar, D> nearest_image(int i, int j, const Vec& u_i, const Vec& u_j) const {
+    if (!box->knows(u_i)) lose_count(i);
+    if (!box->knows(u_j)) lose_count(j);
     return box->nearest(u_i, u_j);
+  }
+  [[noreturn]] void lose_count(int i) const {
+    throw OutOfRange("the number of edges of the box that " + particle_name(scene, i) + " has crossed");
   }
   /// Two particles now.
   PairPlaces<Scalar, D> places(int i, int j) const {
@@ -184,6 +189,7 @@ World<Scalar, D>::World(const Scene& scene_in, const TimingChoice& timing_in)
       responded(infinite_masses(scene_in)),
       is_touched_(scene_in.particles.size(), false) {
   if (const auto V = velocity_of_walls(scene)) frame_velocity_ = lifted<Scalar, D>(*V);
+  particles.reserve(scene.particles.size());
   for (const Particle& p : scene.particles) {
     particles.push_back({lifted<Scalar, D>(p.position), lifted<Scalar, D>(p.velocity), {}});
     species_.push_back(p.species);

@@ -121,7 +121,7 @@ class RecordedRun {
       simulate_again(before);
       return false;
     }
-    for (const std::string& line : lines_) files_.line(line);
+    if (!lines_.empty()) files_.lines(lines_);
     lines_.clear();
     return true;
   }
@@ -175,7 +175,7 @@ class RecordedRun {
   }
 
   void note(const Record<Scalar, D>& record) {
-    if (files_.has_trace()) lines_.push_back(event_line<Scalar, D>(scene_, record));
+    if (files_.has_trace()) append_event<Scalar, D>(lines_, scene_, record);
     last_involved_.push_back(record.i);
     last_involved_.push_back(record.j);
     while (last_involved_.size() > kLastInvolved) last_involved_.pop_front();
@@ -240,7 +240,7 @@ class RecordedRun {
   ClusterSchedule schedule_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;
-  std::vector<std::string> lines_;  ///< of the step that is being made
+  std::string lines_;  ///< of the step that is being made
   StateData last_state_;
   std::string out_of_range_;
 };

@@ -226,6 +226,10 @@ void TraceFiles::line(std::string_view text) {
   trace_->write("\n");
 }
 
+void TraceFiles::lines(std::string_view text) {
+  trace_->write(text);
+}
+
 void TraceFiles::state(const std::string& text) {
   if (trace_) line(text);
   if (!checkpoint_) return;

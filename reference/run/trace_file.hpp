@@ -58,6 +58,8 @@ class TraceFiles {
   bool has_trace() const { return trace_ != nullptr; }
   bool wants_states() const { return trace_ != nullptr || checkpoint_.has_value(); }
   void line(std::string_view text);
+  /// Lines with their ends.
+  void lines(std::string_view text);
   void state(const std::string& text);
   void flush();
   void close();

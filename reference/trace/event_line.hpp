@@ -7,16 +7,25 @@
 #include "reference/engine/drag_clock.hpp"
 #include "reference/engine/record.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/text/append_hex.hpp"
 #include "reference/text/hexfloat.hpp"
 
 namespace tps {
 
-/// The exact time on the scene's clock, start_time + hi + lo, in as many digits as that takes.
+/// Appends the exact time on the scene's clock, start_time + hi + lo, in as many digits as that takes.
+template <typename Scalar>
+void append_time(std::string& line, double start_time, const Time<Scalar>& t) {
+  if (start_time == 0 && t.lo == Scalar(0)) return append_hex(line, t.hi);
+  if (start_time == 0) return append_hex_sum(line, t.hi, t.lo);
+  const std::array<HexDigits, 3> terms = {hex_digits(start_time), hex_digits(t.hi), hex_digits(t.lo)};
+  line.append(join_hex(exact_sum(terms)));
+}
+
 template <typename Scalar>
 std::string exact_time(double start_time, const Time<Scalar>& t) {
-  if (start_time == 0 && t.lo == Scalar(0)) return to_hex(t.hi);
-  const std::array<HexDigits, 3> terms = {hex_digits(start_time), hex_digits(t.hi), hex_digits(t.lo)};
-  return join_hex(exact_sum(terms));
+  std::string text;
+  append_time(text, start_time, t);
+  return text;
 }
 
 /// The last moment of a duration on the clock of a run: under drag s(T) rounded down to the scalar.
@@ -45,7 +54,10 @@ namespace detail {
 
 template <typename Scalar, int D>
 void append_vector(std::string& line, const Vector<Scalar, D>& v) {
-  for (int k = 0; k < D; ++k) line.append(k == 0 ? "[\"" : "\",\"").append(to_hex(Scalar(v[k])));
+  for (int k = 0; k < D; ++k) {
+    line.append(k == 0 ? "[\"" : "\",\"");
+    append_hex(line, v[k]);
+  }
   line.append("\"]");
 }
 
@@ -53,7 +65,8 @@ template <typename Scalar>
 void append_spin(std::string& line, const std::vector<Scalar>& spin) {
   const char* separator = ",\"spin\":[\"";
   for (const Scalar& x : spin) {
-    line.append(separator).append(to_hex(x));
+    line.append(separator);
+    append_hex(line, x);
     separator = "\",\"";
   }
   line.append("\"]");
@@ -65,7 +78,8 @@ void append_states(std::string& line, const Scene& scene, const Record<Scalar, D
   char separator = '{';
   for (const ParticleChange<Scalar, D>& change : record.involved) {
     line.push_back(separator);
-    line.append("\"").append(std::to_string(scene.particles[static_cast<std::size_t>(change.particle)].id));
+    line.push_back('"');
+    append_decimal(line, scene.particles[static_cast<std::size_t>(change.particle)].id);
     line.append("\":{\"position\":");
     append_vector<Scalar, D>(line, change.position);
     line.append(",\"velocity\":");
@@ -79,62 +93,71 @@ void append_states(std::string& line, const Scene& scene, const Record<Scalar, D
   line.push_back('}');
 }
 
+/// ,"key":number
+inline void append_member(std::string& line, const char* key, std::integral auto number) {
+  line.append(",\"").append(key).append("\":");
+  append_decimal(line, number);
+}
+
+template <typename Scalar, int D>
+void append_member(std::string& line, const char* key, const std::optional<Vector<Scalar, D>>& v) {
+  if (!v) return;
+  line.append(",\"").append(key).append("\":");
+  append_vector<Scalar, D>(line, *v);
+}
+
 }  // namespace detail
 
-/// One event as a line of JSON, without its end.
+/// Appends one event as a line of JSON, with its end.
 template <typename Scalar, int D>
-std::string event_line(const Scene& scene, const Record<Scalar, D>& record) {
-  const auto id = [&](int i) { return std::to_string(scene.particles[static_cast<std::size_t>(i)].id); };
-  std::string line;
-  line.append("{\"k\":").append(std::to_string(record.k));
-  line.append(",\"t\":\"")
-      .append(time_of(scene, record.t))
-      .append("\"")
-      .append(clock_member(scene, record.t));
-  line.append(scene.drag ? ",\"ds\":\"" : ",\"dt\":\"").append(to_hex(record.dt));
+void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>& record) {
+  const auto id = [&](int i) { return scene.particles[static_cast<std::size_t>(i)].id; };
+  line.append("{\"k\":");
+  append_decimal(line, record.k);
+  line.append(",\"t\":\"");
+  if (scene.drag) {
+    line.append(time_of(scene, record.t)).append("\"").append(clock_member(scene, record.t));
+    line.append(",\"ds\":\"");
+  } else {
+    append_time(line, scene.start_time, record.t);
+    line.append("\",\"dt\":\"");
+  }
+  append_hex(line, record.dt);
   line.append("\",\"kind\":\"").append(record.kind).append("\"");
-  if (record.detail) line.append(",\"phase\":").append(std::to_string(*record.detail));
-  if (record.wall) line.append(",\"wall\":").append(std::to_string(*record.wall));
-  if (record.face) line.append(",\"face\":").append(std::to_string(*record.face));
-  if (record.i >= 0) line.append(",\"i\":").append(id(record.i));
-  if (record.j >= 0 && record.j != record.i) line.append(",\"j\":").append(id(record.j));
+  if (record.detail) detail::append_member(line, "phase", *record.detail);
+  if (record.wall) detail::append_member(line, "wall", *record.wall);
+  if (record.face) detail::append_member(line, "face", *record.face);
+  if (record.i >= 0) detail::append_member(line, "i", id(record.i));
+  if (record.j >= 0 && record.j != record.i) detail::append_member(line, "j", id(record.j));
   if (!record.involved.empty()) {
     line.append(",\"pre\":");
     detail::append_states<Scalar, D>(line, scene, record, false);
     line.append(",\"post\":");
     detail::append_states<Scalar, D>(line, scene, record, true);
   }
-  if (record.dp) {
-    line.append(",\"dp\":");
-    detail::append_vector<Scalar, D>(line, *record.dp);
-  }
-  if (record.dv) {
-    line.append(",\"dv\":");
-    detail::append_vector<Scalar, D>(line, *record.dv);
-  }
-  if (record.dp_stored) {
-    line.append(",\"dp_stored\":");
-    detail::append_vector<Scalar, D>(line, *record.dp_stored);
-  }
+  detail::append_member<Scalar, D>(line, "dp", record.dp);
+  detail::append_member<Scalar, D>(line, "dv", record.dv);
+  detail::append_member<Scalar, D>(line, "dp_stored", record.dp_stored);
   if (record.sticks) line.append(*record.sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
   if (record.tether != TetherChange::none) {
-    line.append(",\"tether\":\"")
-        .append(record.tether == TetherChange::formed ? "formed" : "broken")
-        .append("\"");
+    line.append(record.tether == TetherChange::formed ? ",\"tether\":\"formed\"" : ",\"tether\":\"broken\"");
   }
-  if (record.draw) line.append(",\"draw\":\"").append(to_hex(*record.draw)).append("\"");
+  if (record.draw) {
+    line.append(",\"draw\":\"");
+    append_hex(line, *record.draw);
+    line.push_back('"');
+  }
   if (!record.members.empty()) {
     char separator = '[';
     line.append(",\"members\":");
     for (const int m : record.members) {
       line.push_back(separator);
-      line.append(id(m));
+      append_decimal(line, id(m));
       separator = ',';
     }
     line.push_back(']');
   }
-  line.push_back('}');
-  return line;
+  line.append("}\n");
 }
 
 }  // namespace tps

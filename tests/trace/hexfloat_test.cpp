@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
 #include <cstdio>
 #include <random>
 
 #include "reference/scalars.hpp"
+#include "reference/text/append_hex.hpp"
 
 namespace tps {
 namespace {
@@ -27,6 +30,50 @@ TEST(Hexfloat, SpellsAsPrintfDoes) {
   EXPECT_EQ(to_hex(0.0), "0x0p+0");
   EXPECT_EQ(to_hex(-0.0), "-0x0p+0");
   EXPECT_EQ(to_hex(4.9406564584124654e-324), "0x1p-1074");
+}
+
+/// Of random bits, of short numbers, of the edges of the range.
+TEST(Hexfloat, AppendsAsItSpells) {
+  std::mt19937_64 bits(2);
+  for (int n = 0; n < 20000; ++n) {
+    double x = std::bit_cast<double>(bits());
+    if (n % 3 == 0) x = std::ldexp(double(bits() % 4096), int(bits() % 100) - 50);
+    if (std::isnan(x)) continue;
+    std::string text = "x";
+    append_hex(text, x);
+    ASSERT_EQ(text, "x" + to_hex(x));
+    text.clear();
+    append_hex(text, static_cast<float>(x));
+    ASSERT_EQ(text, to_hex(static_cast<float>(x)));
+  }
+  for (const double x :
+       {0.0, -0.0, 1.0, HUGE_VAL, -HUGE_VAL, 0x1p-1022, 0x1p-1074, 0x1.fffffffffffffp+1023}) {
+    std::string text;
+    append_hex(text, x);
+    EXPECT_EQ(text, to_hex(x));
+  }
+}
+
+/// Pairs as clocks have them, with gaps, borrows from powers of two, rests that end late; and any others.
+TEST(Hexfloat, AppendsExactSums) {
+  std::mt19937_64 bits(3);
+  const auto expect_sum = [](double hi, double lo) {
+    std::string text;
+    append_hex_sum(text, hi, lo);
+    const std::array<HexDigits, 2> terms = {hex_digits(hi), hex_digits(lo)};
+    ASSERT_EQ(text, join_hex(exact_sum(terms))) << to_hex(hi) << " + " << to_hex(lo);
+  };
+  for (int n = 0; n < 20000; ++n) {
+    const double fraction = 1 + double(bits() >> 12U) * 0x1p-52;
+    const double hi = std::ldexp(n % 5 == 0 ? 1 : fraction, int(bits() % 40) - 20);
+    const double rest = (1 + double(bits() >> 12U) * 0x1p-52) * (n % 2 == 0 ? 1 : -1);
+    expect_sum(hi, std::ldexp(hi * rest, -54 - int(bits() % 4) * int(bits() % 12)));
+    expect_sum(hi, std::ldexp(hi * (n % 7 - 3), -54));
+    expect_sum(hi, rest);
+  }
+  for (const double lo : {0.0, -0.0, 0x1p-1074, -0x1p-60, 1.0, -1.0, 1e300}) {
+    for (const double hi : {0.0, 1.0, 1e300, 0x1p-1022, -3.0}) expect_sum(hi, lo);
+  }
 }
 
 TEST(Hexfloat, RefusesWhatTheScalarCannotHold) {

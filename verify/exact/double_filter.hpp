@@ -31,11 +31,41 @@ constexpr bool comfortable(double square) {
   return square > 0x1p-400 && square < 0x1p400;
 }
 
+/// The same of an image: r is rounded three times, from terms that cancel. Bounds are those of the sizes S of
+/// the terms (docs/exact.md, "Images").
+inline Coefficients coefficients_of_image(const TimingQuery& query) {
+  constexpr double u = unit_roundoff;
+  double a = 0, h = 0, H = 0, r_squared = 0, S_squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double apart = query.u_B[k] - query.u_A[k];
+    const double shift = query.image[k] * query.edges[k];
+    const double r = apart + shift;
+    const double S = std::fabs(apart) + std::fabs(shift);
+    const double v = query.v_B[k] - query.v_A[k];
+    a += v * v;
+    h += r * v;
+    H += S * std::fabs(v);
+    r_squared += r * r;
+    S_squared += S * S;
+  }
+  const double L_squared = query.L * query.L;
+  const double c = r_squared - L_squared;
+  const double M = S_squared + L_squared;
+  const double D = h * h - a * c;
+  return {a,
+          h,
+          c,
+          D,
+          16 * u * H + underflow_allowance,
+          16 * u * M,
+          48 * u * (H * H + a * M),
+          comfortable(a) && comfortable(M)};
+}
+
 /// a, h, c, D from rounded r and v, in the obvious order.
 /// REQUIRES a valid query. Compiled without contraction to fma: the count of roundings assumes none.
-/// Of an image r is a double word first: this stage leaves it to the next one.
 inline Coefficients double_coefficients(const TimingQuery& query) {
-  if (!is_at_home(query)) return {};
+  if (!is_at_home(query)) return coefficients_of_image(query);
   constexpr double u = unit_roundoff;
   const double r_x = query.u_B[0] - query.u_A[0];
   const double r_y = query.u_B[1] - query.u_A[1];

@@ -75,10 +75,15 @@ void add(const std::string& system, int size, Build build, Timing timing = Timin
 void add_all() {
   const auto gas = [](int n) { return hard_spheres(n, 0.30); };
   const auto dense = [](int n) { return hard_spheres(n, 0.49); };
+  const auto periodic = [](int n) { return periodic_spheres(n, 0.30); };
+  const auto periodic_dense = [](int n) { return periodic_spheres(n, 0.49); };
   for (const int n : {1372, 10976, 97556, 1'000'000}) {
     add("spheres-0.30", n, gas);
     add("spheres-0.49", n, dense);
+    add("periodic-0.30", n, periodic);
+    add("periodic-0.49", n, periodic_dense);
   }
+  add("periodic-0.30", 1372, periodic, Timing::stable);
   add("spheres-0.30", 1372, gas, Timing::stable);
   add("spheres-0.30", 97556, gas, Timing::stable);
   for (const int n : {1372, 10976}) add("spheres-0.30", n, gas, Timing::certified, DetectorKind::all_pairs);

@@ -26,6 +26,11 @@ Scene hard_spheres(int particles, double filled) {
   return build_gas({.particles = particles, .density = density(filled), .duration = kLong});
 }
 
+Scene periodic_spheres(int particles, double filled) {
+  return build_gas_in_cube(
+      {.particles = particles, .density = density(filled), .periodic = 1, .duration = kLong});
+}
+
 Scene chains(int particles, int beads) {
   constexpr double kSpacing = 1.2;
   const double rows = std::cbrt(particles / (4 * std::numbers::pi / 3));

@@ -169,9 +169,7 @@ class Cells final : public Detector<Scalar, D> {
       return;
     }
     const Time<Scalar> t = outlooks_[at(i)].look;
-    std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
-    // What was near may have been so by another image.
-    if (world.box) left.reset();
+    const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
     asked_at_ = t;
     set_look(world, i, t);
     for (const int j : around(world, i, left)) ask(world, i, j);
@@ -276,7 +274,7 @@ class Cells final : public Detector<Scalar, D> {
   PairPredictor<Scalar, D> predictor_;
   Neighbourhood<Scalar, D> neighbourhood_;
   ParticleQueue<Scalar> queue_;
-  std::vector<Outlook<Scalar>> outlooks_;
+  LargeVector<Outlook<Scalar>> outlooks_;
   std::vector<int> due_, neighbours_;
   std::vector<std::size_t> ends_;
   std::uint64_t looks_since_event_ = 0;

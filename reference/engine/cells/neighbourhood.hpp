@@ -10,6 +10,7 @@
 
 #include "reference/engine/cells/region_grid.hpp"
 #include "reference/engine/cells/region_plan.hpp"
+#include "reference/engine/cells/region_ranges.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps {
@@ -29,6 +30,7 @@ class Neighbourhood {
   /// Files every particle at its place now; with `everywhere` it is visited by all, wherever it is.
   void place_all(const World<Scalar, D>& world, bool everywhere) {
     const std::size_t size = world.particles.size();
+    for (int k = 0; world.box && k < D; ++k) edges_[at(k)] = static_cast<double>(world.box->edges()[k]);
     filed_.assign(size, {});
     roams_.assign(size, false);
     roaming_.clear();
@@ -64,11 +66,13 @@ class Neighbourhood {
   /// @return the region that it left, or nothing where it roamed before or roams now.
   std::optional<Region<D>> move(const World<Scalar, D>& world, int i, const Time<Scalar>& t) {
     const auto level = at(level_of(world, i));
+    const auto wraps = world.box ? wraps_[at(i)] : Wraps{};
     const std::optional<Region<D>> region = region_now(world, i, t);
     std::optional<Region<D>> left;
     if (!roams(i)) {
       grids_[level].remove(i, filed_);
-      left = filed_[at(i)].region;
+      // Across an edge of the box: whom it could meet from there, it did by another image.
+      if (!world.box || wraps == wraps_[at(i)]) left = filed_[at(i)].region;
     } else {
       std::erase(roaming_, i);
       roams_[at(i)] = false;
@@ -151,27 +155,38 @@ class Neighbourhood {
     for (std::size_t level = 0; level < grids_.size(); ++level) {
       const double reach = plan_.reach(species, static_cast<int>(level));
       if (reach < 0) continue;
-      const std::size_t begin = found.size();
-      if (world.box) {
-        search_images(world, i, level, reach, found);
-      } else {
-        search(level, range_around(world, i, filed_[at(i)].region, level, reach), found);
-      }
-      RegionRange<D> known{};
-      if (left) known = range_around(world, i, *left, level, plan_.known(species, static_cast<int>(level)));
-      std::size_t kept = begin;
-      for (std::size_t n = begin; n < found.size(); ++n) {
-        const int j = found[n];
-        if (j == i || (left && known.contains(filed_[at(j)].region)) || world.tethered(i, j)) continue;
-        __builtin_prefetch(&world.particles[at(j)]);
-        world.responded.prefetch(j);
-        found[kept++] = j;
-      }
-      found.resize(kept);
+      const double known = plan_.known(species, static_cast<int>(level));
+      const double own = plan_.levels()[at(level_of(world, i))].side;
+      const RegionRanges<D> ranges{own, plan_.levels()[level].side, edges_};
+      ranges.for_each(filed_[at(i)].region, reach, [&](const RegionRange<D>& range, const auto& turns) {
+        const std::size_t begin = found.size();
+        search(level, range, found);
+        const RegionRange<D> asked = left ? ranges.around(*left, known, turns) : RegionRange<D>::nothing();
+        std::size_t kept = begin;
+        for (std::size_t n = begin; n < found.size(); ++n) {
+          const int j = found[n];
+          const Region<D>& region = filed_[at(j)].region;
+          found[kept] = j;
+          kept += (range.contains(region) & !asked.contains(region) & (j != i)) ? 1U : 0U;
+        }
+        found.resize(kept);
+        kept = begin;
+        for (std::size_t n = begin; n < found.size(); ++n) {
+          const int j = found[n];
+          if (world.tethered(i, j)) continue;
+          __builtin_prefetch(&world.particles[at(j)]);
+          world.responded.prefetch(j);
+          found[kept++] = j;
+        }
+        found.resize(kept);
+      });
     }
   }
 
  private:
+  static constexpr std::size_t kAxes = static_cast<std::size_t>(D);
+  using Wraps = std::array<double, kAxes>;  ///< edges by which a place is off the box
+
   static constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
   int level_of(const World<Scalar, D>& world, int i) const { return plan_.level(world.species(i)); }
 
@@ -219,51 +234,14 @@ class Neighbourhood {
     return inside;
   }
 
-  /// The search with what is around shifted by an edge up and down along each axis, where that reaches into
-  /// the box again.
-  void search_images(const World<Scalar, D>& world, int i, std::size_t level, double reach,
-                     std::vector<int>& found) const {
-    const double own = plan_.levels()[at(level_of(world, i))].side;
-    const double other = plan_.levels()[level].side;
-    const Region<D>& region = filed_[at(i)].region;
-    const int shifts = D == 3 ? 27 : 9;
-    for (int n = 0; n < shifts; ++n) {
-      RegionRange<D> range;
-      bool is_inside = true;
-      int digits = n;
-      for (std::size_t k = 0; k < region.size(); ++k, digits /= 3) {
-        const double edge = static_cast<double>(world.box->edges()[static_cast<int>(k)]);
-        const int turn = digits % 3 - 1;
-        if (edge == 0 && turn != 0) is_inside = false;
-        const double low = region[k] * own - reach + turn * edge;
-        const double high = (region[k] + 1.0) * own + reach + turn * edge;
-        is_inside = is_inside && (edge == 0 || (high >= -other && low <= edge + other));
-        range.low[k] = static_cast<std::int32_t>(std::floor(low / other));
-        range.high[k] = static_cast<std::int32_t>(std::floor(high / other));
-      }
-      if (is_inside) search(level, range, found);
-    }
-  }
-
-  RegionRange<D> range_around(const World<Scalar, D>& world, int i, const Region<D>& region,
-                              std::size_t level, double reach) const {
-    const double own = plan_.levels()[at(level_of(world, i))].side;
-    const double other = plan_.levels()[level].side;
-    RegionRange<D> range;
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      range.low[k] = static_cast<std::int32_t>(std::floor((region[k] * own - reach) / other));
-      range.high[k] = static_cast<std::int32_t>(std::floor(((region[k] + 1.0) * own + reach) / other));
-    }
-    return range;
-  }
-
+  /// Appends everyone of a level whose region is in the range, and others.
   void search(std::size_t level, const RegionRange<D>& range, std::vector<int>& found) const {
     if (!grids_[level].is_wider_than_its_members(range)) {
       grids_[level].search(range, filed_, found);
       return;
     }
     for (const int j : members_[level]) {
-      if (!roams(j) && range.contains(filed_[at(j)].region)) found.push_back(j);
+      if (!roams(j)) found.push_back(j);
     }
   }
 
@@ -297,7 +275,7 @@ class Neighbourhood {
   }
 
   RegionPlan plan_;
-  std::vector<FiledRegion<D>> filed_;
+  FiledRegions<D> filed_;
   std::vector<RegionGrid<D>> grids_;       ///< by level
   std::vector<std::vector<int>> members_;  ///< by level, roaming ones included
   std::vector<std::vector<int>> of_species_;
@@ -305,7 +283,8 @@ class Neighbourhood {
   std::vector<int> roaming_;
   /// In a periodic box: how many edges each filed particle is off, and how far others may fly between two
   /// looks.
-  mutable std::vector<std::array<double, static_cast<std::size_t>(D)>> wraps_;
+  mutable std::vector<Wraps> wraps_;
+  Coordinates edges_{};  ///< of the box; 0 along an open axis
   double longest_roam_ = 0;
 };
 

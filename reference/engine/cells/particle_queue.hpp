@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/engine/clock.hpp"
+#include "reference/engine/large_pages.hpp"
 
 namespace tps {
 
@@ -95,8 +96,8 @@ class ParticleQueue {
     put(at, due);
   }
 
-  std::vector<Due> heap_;
-  std::vector<std::uint32_t> place_;
+  LargeVector<Due> heap_;
+  LargeVector<std::uint32_t> place_;
 };
 
 }  // namespace tps

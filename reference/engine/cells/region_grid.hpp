@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/engine/large_pages.hpp"
+
 namespace tps {
 
 /// A cube of a lattice, by its lowest corner in units of its side.
@@ -19,11 +21,18 @@ template <int D>
 struct RegionRange {
   Region<D> low, high;
 
+  /// A range without a region.
+  static RegionRange nothing() {
+    RegionRange range{};
+    range.high[0] = -1;
+    return range;
+  }
+
+  /// Without branches: half of those that are looked at are in, in no order that a processor could guess.
   bool contains(const Region<D>& region) const {
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      if (region[k] < low[k] || region[k] > high[k]) return false;
-    }
-    return true;
+    bool is_in = true;
+    for (std::size_t k = 0; k < region.size(); ++k) is_in &= (region[k] >= low[k]) & (region[k] <= high[k]);
+    return is_in;
   }
 };
 
@@ -34,12 +43,15 @@ struct alignas(32) FiledRegion {
   int next, previous;  ///< of the bucket's list; −1 at its ends
 };
 
+template <int D>
+using FiledRegions = LargeVector<FiledRegion<D>>;
+
 /// One level's buckets. Particles of regions that are far apart may share one: that costs a look, no more.
 template <int D>
 class RegionGrid {
  public:
   /// Puts the particles into buckets, as many as there are particles or fewer, shaped as they lie.
-  void build(const std::vector<int>& members, int shift, std::vector<FiledRegion<D>>& filed) {
+  void build(const std::vector<int>& members, int shift, FiledRegions<D>& filed) {
     shift_ = shift;
     members_ = members.size();
     Region<D> low{};
@@ -72,7 +84,7 @@ class RegionGrid {
     for (const int i : members) file(i, filed);
   }
 
-  void file(int i, std::vector<FiledRegion<D>>& filed) {
+  void file(int i, FiledRegions<D>& filed) {
     FiledRegion<D>& own = filed[at(i)];
     int& first = first_[bucket_of(own.region)];
     own.next = first;
@@ -81,7 +93,7 @@ class RegionGrid {
     first = i;
   }
 
-  void remove(int i, std::vector<FiledRegion<D>>& filed) {
+  void remove(int i, FiledRegions<D>& filed) {
     const FiledRegion<D>& own = filed[at(i)];
     if (own.next >= 0) filed[at(own.next)].previous = own.previous;
     if (own.previous >= 0) filed[at(own.previous)].next = own.next;
@@ -95,17 +107,20 @@ class RegionGrid {
     return buckets > members_;
   }
 
-  /// Appends every particle of the level whose region is in the range. What a bucket's list starts with is
-  /// fetched while the other buckets are still being looked up.
-  void search(const RegionRange<D>& range, const std::vector<FiledRegion<D>>& filed,
-              std::vector<int>& found) const {
+  /// Appends every particle of the buckets that the range touches, whatever its region. What a bucket's list
+  /// starts with is fetched while the other buckets are still being looked up.
+  void search(const RegionRange<D>& range, const FiledRegions<D>& filed, std::vector<int>& found) const {
     std::array<std::uint32_t, kAxes> from{};
     std::array<std::uint32_t, kAxes> count{};
+    std::size_t buckets = 1;
     for (std::size_t k = 0; k < kAxes; ++k) {
       from[k] = static_cast<std::uint32_t>(range.low[k] >> shift_);
       count[k] = static_cast<std::uint32_t>(width(range, k));
+      buckets *= count[k];
     }
     const std::size_t begin = found.size();
+    found.resize(begin + buckets);
+    std::size_t end = begin;
     const std::uint32_t layers = D == 3 ? count[kAxes - 1] : 1;
     for (std::uint32_t z = 0; z < layers; ++z) {
       const std::size_t layer =
@@ -114,21 +129,16 @@ class RegionGrid {
         const std::size_t row = layer | (std::size_t{(from[1] + y) & mask_[1]} << stride_[1]);
         for (std::uint32_t x = 0; x < count[0]; ++x) {
           const int first = first_[row | ((from[0] + x) & mask_[0])];
-          if (first < 0) continue;
-          __builtin_prefetch(&filed[at(first)]);
-          found.push_back(first);
+          found[end] = first;
+          end += first >= 0 ? 1U : 0U;
         }
       }
     }
-    // The firsts are replaced by those of their lists that are in the range.
-    const std::size_t firsts = found.size();
-    for (std::size_t n = begin; n < firsts; ++n) {
-      for (int j = found[n]; j >= 0; j = filed[at(j)].next) {
-        if (range.contains(filed[at(j)].region)) found.push_back(j);
-      }
+    found.resize(end);
+    for (std::size_t n = begin; n < end; ++n) __builtin_prefetch(&filed[at(found[n])]);
+    for (std::size_t n = begin; n < end; ++n) {
+      for (int j = filed[at(found[n])].next; j >= 0; j = filed[at(j)].next) found.push_back(j);
     }
-    found.erase(found.begin() + static_cast<std::ptrdiff_t>(begin),
-                found.begin() + static_cast<std::ptrdiff_t>(firsts));
   }
 
  private:
@@ -155,7 +165,7 @@ class RegionGrid {
   std::size_t members_ = 0;
   std::array<std::uint32_t, kAxes> mask_{};
   std::array<int, kAxes> stride_{};
-  std::vector<int> first_;  ///< of each bucket's list; −1: empty
+  LargeVector<int> first_;  ///< of each bucket's list; −1: empty
 };
 
 }  // namespace tps
