@@ -45,6 +45,8 @@ RunSummary run(int levels) {
   const MergingRow row(levels);
   certified::ExactTiming certifier;
   RunOptions options;
+  options.max_events =
+      2 * (row.scene().particles.size() - 1);  // loads, nodes; then all are in contact at once
   options.timing = Timing::certified;
   options.certifier = &certifier;
   return run_scene(row.scene(), options);
@@ -64,10 +66,11 @@ TEST(LargeGroup, SixteenThousandMergeAndPartAtTheCostOfTheirNeighbours) {
     EXPECT_LE(std::abs(s->energy_remainder), s->energy_bound);
     EXPECT_LE(s->momentum_drift, s->momentum_bound);
   }
-  // Each level of merging touches every particle once more.
+  // Each level of merging touches every particle once more, and makes the fastest faster. Whole groups would
+  // make it 64 times as many.
   const double levels = double(kMany) / kFew;
   const auto questions = [](const RunSummary& s) { return double(s.certified->verdict.calls); };
-  EXPECT_LE(questions(many), 1.1 * levels * (1 << (kMany - kFew)) * questions(few));
+  EXPECT_LE(questions(many), 2 * levels * (1 << (kMany - kFew)) * questions(few));
 }
 
 }  // namespace
