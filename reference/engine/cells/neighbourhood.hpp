@@ -166,8 +166,11 @@ class Neighbourhood {
         for (std::size_t n = begin; n < found.size(); ++n) {
           const int j = found[n];
           const Region<D>& region = filed_[at(j)].region;
+          const bool is_in = range.contains(region);
+          const bool was_asked = asked.contains(region);
+          const bool stays = is_in & !was_asked & (j != i);
           found[kept] = j;
-          kept += (range.contains(region) & !asked.contains(region) & (j != i)) ? 1U : 0U;
+          kept += stays ? 1U : 0U;
         }
         found.resize(kept);
         kept = begin;

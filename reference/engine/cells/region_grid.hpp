@@ -31,7 +31,11 @@ struct RegionRange {
   /// Without branches: half of those that are looked at are in, in no order that a processor could guess.
   bool contains(const Region<D>& region) const {
     bool is_in = true;
-    for (std::size_t k = 0; k < region.size(); ++k) is_in &= (region[k] >= low[k]) & (region[k] <= high[k]);
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const bool is_above = region[k] >= low[k];
+      const bool is_below = region[k] <= high[k];
+      is_in = is_in & is_above & is_below;
+    }
     return is_in;
   }
 };
