@@ -110,6 +110,7 @@ class Simulation {
   /// is a function of stored states, the run goes on as if it had never stopped.
   void resume(std::uint64_t progress_event) {
     progress_event_ = progress_event;
+    world_.forget_places();
     world_.queue = {};
     next_.reset();
     predict_everything();

@@ -112,21 +112,23 @@ class World {
   PeriodicImage<Scalar, D> nearest_image(int i, int j, const Time<Scalar>& t) const {
     return nearest_image(i, j, position(i, t), position(j, t));
   }
-  /// The same from their positions.
   PeriodicImage<Scalar, D> nearest_image(int i, int j, const Vec& u_i, const Vec& u_j) const {
-    if (!box->knows(u_i)) lose_count(i);
-    if (!box->knows(u_j)) lose_count(j);
+    if (!box->knows(u_i) || !box->knows(u_j)) lose_count(box->knows(u_i) ? j : i);
     return box->nearest(u_i, u_j);
   }
   [[noreturn]] void lose_count(int i) const {
     throw OutOfRange("the number of edges of the box that " + particle_name(scene, i) + " has crossed");
   }
-  /// Two particles now.
-  PairPlaces<Scalar, D> places(int i, int j) const {
-    PairPlaces<Scalar, D> places{position(i, now), position(j, now), {}};
-    if (box) places.image = nearest_image(i, j, now);
-    return places;
+  /// Two particles now, kept for the next who asks. Whoever puts in another state says so: forget_places().
+  const PairPlaces<Scalar, D>& places(int i, int j) const {
+    if (places_of_ == std::pair(i, j) && places_at_ == now) return places_;
+    places_ = {position(i, now), position(j, now), {}};
+    if (box) places_.image = nearest_image(i, j, places_.u_i, places_.u_j);
+    places_of_ = {i, j};
+    places_at_ = now;
+    return places_;
   }
+  void forget_places() { places_of_ = {-1, -1}; }
 
   /// Advances a particle's stored state to now. Infinite masses keep theirs: nothing ever changes it.
   void bring(int i);
@@ -161,6 +163,9 @@ class World {
   Vec frame_velocity_ = Vec::Zero();
   std::vector<int> touched_, taken_;
   std::vector<char> is_touched_;
+  mutable PairPlaces<Scalar, D> places_;  ///< of the pair that was last asked for
+  mutable std::pair<int, int> places_of_{-1, -1};
+  mutable Time<Scalar> places_at_;
 };
 
 template <typename Scalar, int D>

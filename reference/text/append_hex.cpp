@@ -22,9 +22,8 @@ std::array<char, 8> digits_of(std::uint32_t word) {
   x = (x | (x << 4U)) & 0x0f0f0f0f0f0f0f0fU;
   const std::uint64_t above_nine = ((x + 0x0606060606060606U) >> 4U) & 0x0101010101010101U;
   x += 0x3030303030303030U + above_nine * ('a' - '0' - 10);
-  std::array<char, 8> text;
-  for (std::size_t n = 0; n < text.size(); ++n) text[n] = static_cast<char>(x >> (56U - 8U * n));
-  return text;
+  if constexpr (std::endian::native == std::endian::little) x = __builtin_bswap64(x);
+  return std::bit_cast<std::array<char, 8>>(x);
 }
 
 /// Writes ".…" with the digits of 4·16 bits, high word first, without trailing zeros; nothing for zero.

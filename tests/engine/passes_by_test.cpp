@@ -68,7 +68,7 @@ TYPED_TEST(PassesBy, WhoIsSparedWouldHaveHadNoEvent) {
     }
     EXPECT_FALSE((PairTiming<TypeParam, 3>({Timing::paper, nullptr}).passes_by(p.relative, p.limit)));
   }
-  EXPECT_GT(spared, misses / 2);  // half of them part; most of the others are hard
+  EXPECT_GT(spared, misses / 3);  // half of those part whose images even a float can tell
   EXPECT_GT(misses, spared);
 }
 

@@ -152,6 +152,7 @@ class Neighbourhood {
     }
     if (!has_level(world, i)) return;
     find_partners_for_ever(world, i, found);
+    const bool is_tied = !plan_.permanent(species).empty() || world.tethers.count(i) > 0;
     for (std::size_t level = 0; level < grids_.size(); ++level) {
       const double reach = plan_.reach(species, static_cast<int>(level));
       if (reach < 0) continue;
@@ -176,7 +177,7 @@ class Neighbourhood {
         kept = begin;
         for (std::size_t n = begin; n < found.size(); ++n) {
           const int j = found[n];
-          if (world.tethered(i, j)) continue;
+          if (is_tied && world.tethered(i, j)) continue;
           __builtin_prefetch(&world.particles[at(j)]);
           world.responded.prefetch(j);
           found[kept++] = j;
