@@ -30,13 +30,19 @@ const figuresOf = (page, section) => page.evaluate((id) => {
   return figures.map((figure) => ({
     title: figure.querySelector('figcaption').textContent,
     frame: figure.querySelector('svg').getBoundingClientRect().toJSON(),
-    marks: [...figure.querySelectorAll('.mark')].map((mark) => {
-      const box = mark.querySelector('.reach').getBoundingClientRect();
+    marks: [...figure.querySelectorAll('.reach path')].map((mark) => {
+      const box = mark.getBoundingClientRect();
       return { says: mark.getAttribute('aria-label'), x: box.x + box.width / 2, y: box.y + box.height / 2 };
     }),
   }));
 }, section);
-const pageOf = (options) => open(browser, file('cost.html'), options);
+async function pageOf(options) {
+  const opened = await open(browser, file('cost.html'), options);
+  await opened.page.waitForSelector('body[data-drawn=all]', { timeout: 20000 });
+  return opened;
+}
+/** The tips that are seen. */
+const tips = (page) => page.$$eval('.tip', (all) => all.filter((tip) => getComputedStyle(tip).visibility === 'visible').map((tip) => tip.textContent));
 /** "12.5" of "stable-double: 12.5 ns, …" as the program rounds: to four digits. */
 const four = (x) => Number(x).toPrecision(4);
 
@@ -88,24 +94,58 @@ test('marks say what the JSON says, and stand where it says', async () => {
   await page.close();
 });
 
-test('the tabulator key reaches marks, whose figures then show, and links lead to sections', async () => {
+test('by keyboard: links, a stop in every plot, and from there each mark, which tells its figures', async () => {
   const { page } = await pageOf();
-  const shown = () => page.evaluate(() => {
-    const mark = document.activeElement;
-    return { mark: mark.classList.contains('mark'), tip: mark.querySelector('.tip') && getComputedStyle(mark.querySelector('.tip')).visibility, label: mark.getAttribute('aria-label'), text: mark.querySelector('.tip')?.textContent };
-  });
+  const says = () => page.evaluate(() => (document.activeElement.matches('.reach path') ? document.activeElement.getAttribute('aria-label') : null));
   for (const id of levels) {
     await page.keyboard.press('Tab');
     assert.equal(await page.evaluate(() => document.activeElement.getAttribute('href')), `#${id}`);
   }
+  const [plain, graze] = await figuresOf(page, 'queries');
   await page.keyboard.press('Tab');
-  const first = await shown();
-  assert.ok(first.mark && first.tip === 'visible' && first.text === first.label, JSON.stringify(first));
+  for (const mark of plain.marks) {
+    assert.equal(await says(), mark.says);
+    assert.deepEqual(await tips(page), [mark.says]);
+    await page.keyboard.press('ArrowRight');
+  }
+  assert.equal(await says(), plain.marks.at(-1).says, 'an arrow leads out of the plot');
+  await page.keyboard.press('Home');
+  assert.equal(await says(), plain.marks[0].says);
+  await page.keyboard.press('End');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await says(), plain.marks.at(-2).says);
   await page.keyboard.press('Tab');
-  assert.notEqual((await shown()).label, first.label);
-  assert.equal(await page.$$eval('.mark .tip', (all) => all.filter((tip) => getComputedStyle(tip).visibility === 'visible').length), 1);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'every number');
+  assert.deepEqual(await tips(page), []);
+  await page.keyboard.press('Tab');
+  assert.equal(await says(), graze.marks[0].says);
+  assert.deepEqual(await tips(page), [graze.marks[0].says]);
+  assert.equal(await page.evaluate(() => document.querySelectorAll('.reach path[tabindex="0"]').length), await page.evaluate(() => document.querySelectorAll('figure').length));
   await page.click('nav a[href="#cases"]');
   assert.ok(await page.$eval('#cases', (h) => h.getBoundingClientRect().top < innerHeight), 'the link leads nowhere');
+  await page.close();
+});
+
+test('without scripts the page says so and each list has the numbers of its plot', async () => {
+  const drawn = await pageOf();
+  const [plain] = await figuresOf(drawn.page, 'queries');
+  await drawn.page.close();
+  const { page } = await open(browser, file('cost.html'), { javaScriptEnabled: false });
+  assert.match(await page.locator('noscript').innerText(), /scripts/);
+  await page.locator('summary').first().click();
+  assert.deepEqual(await page.locator('figure').first().locator('li').allInnerTexts(), plain.marks.map((mark) => mark.says));
+  await page.close();
+});
+
+test('a mark that is pointed at tells its figures, until the pointer leaves', async () => {
+  const { page } = await pageOf();
+  await page.evaluate(() => document.getElementById('grouping').scrollIntoView());
+  const [collisions] = await figuresOf(page, 'grouping');
+  const mark = collisions.marks.at(-1);
+  await page.mouse.move(mark.x, mark.y);
+  assert.deepEqual(await tips(page), [mark.says]);
+  await page.mouse.move(collisions.frame.left + 2, collisions.frame.top + 2);
+  assert.deepEqual(await tips(page), []);
   await page.close();
 });
 
@@ -117,8 +157,8 @@ test('light and dark differ in paper, ink and marks, and both can be read', asyn
       const luminance = (colour) => { const [r, g, b] = /rgba?\((\d+), (\d+), (\d+)/.exec(colour).slice(1).map((v) => (v / 255 <= 0.03928 ? v / 3294.6 : ((v / 255 + 0.055) / 1.055) ** 2.4)); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
       const ratio = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
       const paper = luminance(getComputedStyle(document.body).backgroundColor);
-      return { paper, text: ratio(paper, luminance(getComputedStyle(document.body).color)), tick: ratio(paper, luminance(getComputedStyle(document.querySelector('text.tick')).fill)),
-        marks: Math.min(...[...document.querySelectorAll('.mark circle:not(.reach)')].map((c) => ratio(paper, luminance(getComputedStyle(c).fill)))) };
+      return { paper, text: ratio(paper, luminance(getComputedStyle(document.body).color)), tick: ratio(paper, luminance(getComputedStyle(document.querySelector('.role-axis-label text')).fill)),
+        marks: Math.min(...[...document.querySelectorAll('.shapes path')].map((mark) => getComputedStyle(mark)).map((look) => ratio(paper, luminance(look.fill === 'none' ? look.stroke : look.fill)))) };
     });
     await page.close();
   }

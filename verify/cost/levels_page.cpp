@@ -9,7 +9,7 @@
 #include "reference/text/printable.hpp"
 #include "verify/cost/json_at.hpp"
 #include "verify/cost/levels.hpp"
-#include "verify/cost/plot.hpp"
+#include "verify/cost/named_lines.hpp"
 
 namespace tps::cost {
 namespace {
@@ -37,56 +37,6 @@ constexpr const char* kCasesText =
 every event; and the first arithmetic that has all.</p>
 )";
 
-/// The names of a section's lines, so that one name has one colour in all of its figures.
-class Names {
- public:
-  std::string style(const std::string& name) {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    const auto index = static_cast<std::size_t>(found - names_.begin());
-    if (found == names_.end()) names_.push_back(name);
-    return fmt::format("series-{}", kMostDifferent[index % std::size(kMostDifferent)]);
-  }
-
- private:
-  static constexpr int kMostDifferent[] = {0, 7, 3, 8, 1, 4, 10, 2, 6, 9, 5, 11};  ///< of the style sheet
-  std::vector<std::string> names_;
-};
-
-/// A figure of one number of rows against another, a line for each name.
-class Lines {
- public:
-  Lines(Names& names, std::string title, Axis x, Axis y)
-      : names_(&names), plot_(std::move(title), std::move(x), std::move(y)) {}
-
-  /// Marks alone: what lies side by side is no row of numbers.
-  Lines& without_lines() {
-    are_drawn_ = false;
-    return *this;
-  }
-
-  void add(const std::string& name, Position at, const std::string& tip) {
-    plot_.point(at, names_->style(name), "", name + ": " + tip);
-    lines_[name].push_back(at);
-  }
-
-  std::string figure() {
-    std::string legend;
-    for (const auto& [name, points] : lines_) {
-      const std::string style = names_->style(name);
-      if (are_drawn_) plot_.line(points, style);
-      legend += fmt::format("<span class=\"key {}\"></span> {} ", style, xml_text(name));
-    }
-    std::string text = plot_.figure();
-    return text.insert(text.rfind("</figure>"), "<p class=\"lines\">" + legend + "</p>");
-  }
-
- private:
-  Names* names_;
-  Plot plot_;
-  bool are_drawn_ = true;
-  std::map<std::string, std::vector<Position>> lines_;
-};
-
 constexpr double kDoubleBits = 53;
 
 /// log10, and a little below the axis for nothing at all.
@@ -106,12 +56,6 @@ double largest(const Json& rows, const char* key) {
 int tick_distance(double most) {
   const double unit = std::pow(10.0, std::floor(std::log10(most / 2)));
   return std::max(1, static_cast<int>(unit * (most / unit > 10 ? 5 : most / unit > 5 ? 2 : 1)));
-}
-
-std::string figures(std::vector<Lines> all) {
-  std::string text = "<div class=\"figures\">\n";
-  for (Lines& lines : all) text += lines.figure();
-  return text + "</div>\n";
 }
 
 /// As many as were asked for, or as there are.

@@ -4,7 +4,9 @@
 #include "reference/text/printable.hpp"
 #include "verify/cost/levels.hpp"
 #include "verify/cost/page_figures.hpp"
+#include "verify/cost/plot_script.hpp"
 #include "verify/cost/report.hpp"
+#include "verify/view/safe_page.hpp"
 
 namespace tps::cost {
 namespace {
@@ -20,16 +22,12 @@ constexpr const char* kStyle = R"(
 @media (prefers-color-scheme:dark){:root{--paper:#15171a;--ink:#ececec;--faint:#3a3d42;--soft:#a8a8a8}}
 body{background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif;max-width:1480px;margin:auto;padding:1rem}
 .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(440px,1fr));gap:1rem}
-svg{width:100%;height:auto;overflow:visible}text{fill:var(--ink);font-size:11px}
-nav a,a:visited{color:inherit;margin-right:.8em}figure{margin:0}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-height:2.6em}.power{font-size:8px}.label{font-size:8px;fill:var(--soft)}
-.tip{font-size:10px;visibility:hidden}.mark:hover .tip,.mark:focus .tip{visibility:visible}.mark{outline:none}
-.mark:focus .reach,.mark:hover .reach{stroke:var(--ink)}.reach{fill:transparent;stroke:none}
-.grid{stroke:var(--faint);stroke-width:.5}.line{fill:none;stroke-width:1.2}.cross{fill:none;stroke-width:2}
-.front{stroke:var(--soft);stroke-dasharray:3 3}.front.right{stroke:var(--ink);stroke-dasharray:none;stroke-width:1.6}
-.envelope{stroke:var(--faint);stroke-dasharray:5 3}
+nav a,a:visited{color:inherit;margin-right:.8em}figure{margin:0;position:relative}figcaption{font-size:13px;font-weight:600;margin-left:3.6em;min-height:2.6em}
+.plot svg{display:block;width:100%;height:auto;overflow:visible}.reach path{outline:none}.reach path:focus,.reach path:hover{stroke:var(--ink)}
+.tip{position:absolute;top:3.1em;left:4.6em;right:0;margin:0;font-size:12px;line-height:1.2;visibility:hidden}.tip.shown{visibility:visible}
 table{border-collapse:collapse;font-size:13px}td,th{padding:.1rem .6rem;text-align:right;border-bottom:1px solid var(--faint)}
 td:first-child,th:first-child{text-align:left}td:first-child{min-width:12em}.scroll{overflow-x:auto}.lines{font-size:12px;margin:0 0 0 4.2em}.key{display:inline-block;width:.8em;height:.8em;border-radius:50%}
-@media print{.tip{display:none}body{max-width:none;font-size:10pt}.figures{grid-template-columns:1fr 1fr}svg,tr{break-inside:avoid}}
+@media print{.tip{display:none}body{max-width:none;font-size:10pt}.figures{grid-template-columns:1fr 1fr}figure,tr{break-inside:avoid}}
 )";
 
 const Selection kFormulas{"formulas, in double", "", "double"};
@@ -37,8 +35,13 @@ const Selection kPrinted{"eq. (2) as printed, in each arithmetic", "printed", ""
 const Selection kStable{"the reference's formula, in each arithmetic", "stable", ""};
 
 constexpr const char* kHowToRead =
-    R"(<p>Point at a mark, or reach it by the tabulator key, for its figures. Numbers beside marks are the bits (or decimal
+    R"(<p>Point at a mark for its figures, or go to a plot by the tabulator key and from mark to mark by the arrow keys. Numbers beside marks are the bits (or decimal
 digits: d of Boost, m of MPFR) of the arithmetic; c stands for certified answers. What the figures mean: docs/accuracy-cost.md.</p>
+<noscript><p><b>Plots need scripts</b>, which are off here. The list in each place has its numbers.</p></noscript>
+)";
+constexpr const char* kWithoutVega =
+    R"(<p><b>There are no figures:</b> this tps was built without Vega (Debian: libjs-vega). Install it, configure again, build, and make
+this page anew from the stored study (tps cost --from STUDY.json --page PAGE.html). The list in each place has its numbers.</p>
 )";
 constexpr const char* kParetoText =
     R"(<h2 id="queries">Single questions: time against error</h2>
@@ -59,15 +62,13 @@ std::string safe_text(const Json& value, const char* key) {
 }
 
 std::string colours() {
-  std::string light, dark;
+  std::string light, dark, keys;
   for (std::size_t k = 0; k < std::size(kColours); ++k) {
-    const char* form =
-        ".series-{0} circle:not(.reach){{fill:{1}}}.series-{0}.key{{background:{1}}}"
-        ".series-{0} .cross,.line.series-{0}{{stroke:{1}}}";
-    light += fmt::format(fmt::runtime(form), k, kColours[k][0]);
-    dark += fmt::format(fmt::runtime(form), k, kColours[k][1]);
+    light += fmt::format("--series-{}:{};", k, kColours[k][0]);
+    dark += fmt::format("--series-{}:{};", k, kColours[k][1]);
+    keys += fmt::format(".series-{0}.key{{background:var(--series-{0})}}", k);
   }
-  return light + "@media (prefers-color-scheme:dark){" + dark + "}";
+  return ":root{" + light + "}@media (prefers-color-scheme:dark){:root{" + dark + "}}" + keys;
 }
 
 std::string legend(const Json& study) {
@@ -171,13 +172,19 @@ std::string questions_page(const Json& study) {
 
 std::string report_page(const Json& study) {
   const bool asks = study.contains("strata");
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>";
+  const PlotScript script = plot_script();
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+      "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src{}; base-uri 'none'; form-action 'none'\"/><meta name=\"viewport\" "
+      "content=\"width=device-width\"/><title>What accuracy costs</title>\n<style>",
+      script.text.empty() ? " 'none'" : view::source_hash(script.sha256));
   page += kStyle + colours() + "</style></head><body>\n<h1>What accuracy costs</h1>\n<p>";
-  page += (asks ? settings_text(study) : "") + machine_text(study) + "</p>\n" + kHowToRead;
+  page += (asks ? settings_text(study) : "") + machine_text(study) + "</p>\n";
+  page += script.text.empty() ? kWithoutVega : kHowToRead;
   const std::string sections = (asks ? questions_page(study) : "") + levels_page(study);
-  return page + contents(sections) + sections + "</body></html>\n";
+  page += contents(sections) + sections;
+  return page + fmt::format("<script>{}</script>\n</body></html>\n", script.text);
 }
 
 }  // namespace tps::cost

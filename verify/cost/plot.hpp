@@ -1,7 +1,8 @@
-// A figure in SVG: two axes, points and lines, each with its figures shown when it is pointed at or reached
-// by the keyboard. No script: a style sheet shows the tips (page.cpp).
+// A figure of two axes, points and lines, as the data of a drawing: plots.js makes a Vega specification of
+// it.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,23 +27,24 @@ class Plot {
   Plot(std::string title, Axis x, Axis y);
 
   /// `style` names the series in the style sheet. A mark that is `wrong` is a cross. A label that would stand
-  /// on another one is left out.
+  /// on another one or on a mark is left out.
   void point(Position at, const std::string& style, const std::string& label, const std::string& tip,
              bool wrong = false);
   void line(const std::vector<Position>& points, const std::string& style);
 
-  /// The element <figure>: the picture under its title.
+  /// The element <figure>: title, the place of the picture, {"x": axis, "y": axis, "lines": [{"style", "at":
+  /// [[x, y], …]}], "points": [[x, y, style, label, 1 if wrong else 0], …]} as a block of JSON, and the tips
+  /// as a list, which needs no script.
   std::string figure() const;
 
  private:
-  Position pixel(Position at) const;
-  bool has_room(Position label) const;
-  std::string axes() const;
+  nlohmann::ordered_json place(Position at) const;
 
   std::string title_;
   Axis x_, y_;
-  std::string lines_, points_;
-  std::vector<Position> labels_;
+  nlohmann::ordered_json lines_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json points_ = nlohmann::ordered_json::array();
+  std::string tips_;
 };
 
 }  // namespace tps::cost

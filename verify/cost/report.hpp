@@ -30,7 +30,7 @@ Json read_study(const std::string& path);
 std::string report_csv(const Json& study);
 /// A table for each stratum.
 std::string report_text(const Json& study);
-/// One page that needs nothing else: figures in SVG, every number also in a table.
+/// One page that needs nothing else: plots that Vega draws, every number as text too.
 std::string report_page(const Json& study);
 
 }  // namespace tps::cost

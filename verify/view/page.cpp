@@ -10,6 +10,7 @@
 #include "verify/draw/palette.hpp"
 #include "verify/view/base64.hpp"
 #include "verify/view/columns.hpp"
+#include "verify/view/safe_page.hpp"
 #include "verify/view/viewer_files.hpp"
 
 namespace tps::view {
@@ -18,19 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestLabel = 500;  // of a title or a name: what no page shows
-
-/// JSON that may stand in a script element: no character of markup is left in it.
-std::string embedded(const Json& value) {
-  std::string text;
-  for (const char c : json_text(value)) {
-    if (c == '<' || c == '>' || c == '&') {
-      text += fmt::format("\\u{:04x}", static_cast<int>(c));
-    } else {
-      text.push_back(c);
-    }
-  }
-  return text;
-}
 
 Json or_infinite(double x) {
   return std::isinf(x) ? Json("inf") : Json(x);
@@ -123,14 +111,6 @@ Json description(const Playback& playback, const std::vector<ShownFinding>& find
           {"pairs", pairs_json(scene)},
           {"walls", walls_json(scene)},
           {"findings", findings_json(findings)}};
-}
-
-/// What a script or style may be, by its content: CSP level 2.
-std::string source_hash(std::string_view hex_digest) {
-  std::string bytes;
-  for (std::size_t n = 0; n + 1 < hex_digest.size(); n += 2)
-    bytes.push_back(static_cast<char>(std::stoi(std::string(hex_digest.substr(n, 2)), nullptr, 16)));
-  return " 'sha256-" + base64(bytes) + "'";
 }
 
 }  // namespace

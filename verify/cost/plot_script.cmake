@@ -1,0 +1,47 @@
+# Vega as one script, with what draws the plots of the page. Debian's libjs-vega has Vega in parts which all make one global of the same
+# name, so that each replaces the one before; as modules of CommonJS they can stand beside each other.
+set(vega_parts util time format loader dataflow statistics canvas scale scenegraph transforms view-transforms encode label expression selection
+               functions event-selector runtime parser view interpreter)
+set(TPS_VEGA_FOLDER /usr/share/javascript/vega CACHE PATH "Vega 5 in parts: vega-util.min.js and so on (Debian: libjs-vega)")
+set(plot_script ${CMAKE_CURRENT_BINARY_DIR}/plot_script.js)
+set(plots_js ${CMAKE_CURRENT_SOURCE_DIR}/plots.js)
+set(vega_licence ${CMAKE_CURRENT_SOURCE_DIR}/vega_licence.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${plots_js} ${vega_licence})
+
+file(READ ${vega_licence} text)
+set(plot_text "/* ${text}*/\n'use strict';\nconst vegaParts = {};\n")
+foreach(part IN LISTS vega_parts)
+  set(file ${TPS_VEGA_FOLDER}/vega-${part}.min.js)
+  if(NOT EXISTS ${file})
+    message(STATUS "${file} is not there (Debian: libjs-vega): pages of tps cost will have no plots, and say so")
+    set(plot_text "")
+    break()
+  endif()
+  set(module vega-${part})
+  if(part STREQUAL selection)
+    set(module vega-selections)  # as the other parts ask for it
+  endif()
+  file(READ ${file} text)
+  string(REGEX REPLACE "//# sourceMappingURL=[^\n]*" "" text "${text}")
+  string(APPEND plot_text "(function (exports, module, require) {${text}\n})(vegaParts['${module}'] = {}, {}, (name) => vegaParts[name]);\n")
+endforeach()
+if(plot_text)
+  file(READ ${plots_js} text)
+  string(APPEND plot_text "${text}")
+endif()
+
+string(SHA256 plot_script_sha256 "${plot_text}")
+set(written "")
+if(EXISTS ${plot_script})
+  file(SHA256 ${plot_script} written)
+endif()
+if(NOT written STREQUAL plot_script_sha256)
+  file(WRITE ${plot_script} "${plot_text}")
+endif()
+
+# .incbin: half a megabyte as an array in C++ would compile for seconds.
+enable_language(ASM)
+configure_file(plot_script.S.in ${CMAKE_CURRENT_BINARY_DIR}/plot_script.S @ONLY)
+configure_file(plot_script.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/plot_script.cpp @ONLY)
+set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/plot_script.S PROPERTIES OBJECT_DEPENDS ${plot_script})
+set(plot_script_sources ${CMAKE_CURRENT_BINARY_DIR}/plot_script.S ${CMAKE_CURRENT_BINARY_DIR}/plot_script.cpp)
