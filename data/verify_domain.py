@@ -1,7 +1,7 @@
 """What the operations admit: a known answer to anything else is no answer. Standard library only; used by verify_vectors.py."""
 import math
 
-VECTORS = {"u_A", "u_B", "v_A", "v_B", "dp", "u", "v", "position", "velocity"}
+VECTORS = {"u_A", "u_B", "v_A", "v_B", "dp", "u", "v", "position", "velocity", "normal"}
 TIMING, MASSES = ["u_A", "u_B", "v_A", "v_B", "L"], ["m_A", "m_B"]
 PAIR, TETHER = ["u_A", "u_B", "v_A", "v_B", *MASSES], ["c_retract", "c_revolve", "theta_revolve_deg"]
 KEYS = {
@@ -9,6 +9,8 @@ KEYS = {
     "apply_impulse": [*MASSES, "v_A", "v_B", "dp"], "restitution_impulse": [*MASSES, "v_A", "v_B", "dp"],
     "collision_impulse": [*PAIR, "c"], "revolution_impulse": [*PAIR, "c_revolve", "theta_revolve_deg"],
     "tether_response": [*PAIR, *TETHER], "load": [*MASSES, "v_A", "v_B"],
+    "wall_time": [*TIMING, "normal"], "drag_time": ["gamma", "s"],
+    "rough_impulse": [*PAIR, "spin_A", "spin_B", "R_A", "R_B", "c", "mu", "beta0"],
 }
 SCENE = {"tps", "dimension", "duration", "species", "pairs", "particles", "tethers"}
 
@@ -34,10 +36,14 @@ def number(key, x):
 
 def check_number(key, x):
     x = number(key, x)
-    if key in ("L", "distance", "radius"):
-        admit((x > 0 or (x == 0 and key == "radius")) and math.isfinite(x), f"{key} is {x}; a length is finite and above 0")
+    if key in ("L", "distance", "radius", "R_A", "R_B", "gamma"):
+        admit((x > 0 or (x == 0 and key == "radius")) and math.isfinite(x), f"{key} is {x}; it is finite and above 0")
     elif key in ("m_A", "m_B", "m", "mass"):
         admit(x > 0, f"{key} is {x}; a mass is above 0, or inf")
+    elif key in ("s", "mu"):
+        admit(x >= 0 and math.isfinite(x), f"{key} is {x}; it is finite and at least 0")
+    elif key == "beta0":
+        admit(-1 <= x <= 1, f"{key} is {x}; it is in [-1, 1]")
     elif key.startswith("theta"):
         admit(1e-6 <= x <= 90 - 1e-6, f"{key} is {x}; it is in [1e-6, 89.999999] degrees")
     else:
@@ -49,6 +55,11 @@ def check_numbers(q, keys):
     admit(isinstance(q, dict) and set(q) == set(keys), f"the keys are {', '.join(keys)}")
     dimensions = set()
     for key in keys:
+        if key.startswith("spin"):  # one number in the plane, three in space
+            components = q[key] if isinstance(q[key], list) else [q[key]]
+            admit(len(components) == (1 if len(q["u_A"]) == 2 else 3), f"{key} has one component in the plane, three in space")
+            admit(all(math.isfinite(number(key, x)) for x in components), f"components of {key} are finite")
+            continue
         if key not in VECTORS:
             check_number(key, q[key])
             continue
@@ -56,6 +67,8 @@ def check_numbers(q, keys):
         admit(all(math.isfinite(number(key, x)) for x in q[key]), f"components of {key} are finite")
         dimensions.add(len(q[key]))
     admit(len(dimensions) <= 1, "all vectors have one dimension")
+    if "normal" in keys:
+        admit(abs(math.hypot(*(number("normal", x) for x in q["normal"])) - 1) <= 2**-10, "normal has length 1, to 2^-10")
     if "m_A" in keys:
         admit(not number("m_A", q["m_A"]) == number("m_B", q["m_B"]) == math.inf, "two infinite masses never interact")
     if "u_A" in keys and "L" not in keys:

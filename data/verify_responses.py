@@ -1,4 +1,4 @@
-"""Responses, eqs. (3) to (7), and groups: exact rationals, no code of the project. Used by verify_vectors.py.
+"""Responses, eqs. (3) to (7), friction and groups: exact rationals, no code of the project. Used by verify_vectors.py.
 
 The roots, powers and angles of eq. (5) are taken to 300 bits, and an enclosure must then hold with 2^-250 of the largest
 number around to spare.
@@ -85,12 +85,42 @@ class Pair:
         return ["revolve"] if needed - closing > SPARE * needed else ["retract", "revolve"]
 
 
+def cross(x, y):
+    """Of two vectors of the plane one number; a spin of the plane, one component, turns a vector of it."""
+    if len(x) == len(y) == 2:
+        return [x[0] * y[1] - x[1] * y[0]]
+    if len(x) == 1:
+        return [-x[0] * y[1], x[0] * y[0]]
+    return [x[k - 2] * y[k - 1] - x[k - 1] * y[k - 2] for k in range(3)]
+
+
+def rough(q, kind):
+    """Walton's rebound of discs and spheres that turn."""
+    sides, K = "AB", F(1, 2) if len(q["u_A"]) == 2 else F(2, 5)
+    w, v = [inverse_mass(q, "m_" + s) for s in sides], [vector(q, "v_" + s) for s in sides]
+    spin, R = [vector(q, "spin_" + s) for s in sides], [number(q, "R_" + s) for s in sides]
+    r = plus(vector(q, "u_B"), vector(q, "u_A"), -1)
+    pair, axis = Pair(r, plus(v[1], v[0], -1), *w), [x / root(dot(r, r)) for x in r]
+    normal = pair.impulse("rebound", q)
+    surface = plus([R[0] * x for x in spin[0]], spin[1], R[1])
+    g = plus(pair.across, cross(surface, axis), -1)
+    factor, most = K / (1 + K) * (1 + number(q, "beta0")) * pair.mu, number(q, "mu") ** 2 * dot(normal, normal)
+    excess = factor**2 * dot(g, g) - most
+    decided = abs(excess) > SPARE * (most + factor**2 * (dot(pair.v, pair.v) + dot(surface, surface)))
+    claim(not decided or kind == ("slides" if excess > 0 else "sticks"), f"the surfaces are not those of {kind}")
+    size = factor if kind == "sticks" or not decided else root(most) / root(dot(g, g))
+    across = [size * x for x in g]
+    dp, turn = plus(normal, across), [x / K for x in cross(axis, across)]
+    out = {"dp": dp, "v_A": plus(v[0], dp, w[0]), "v_B": plus(v[1], dp, -w[1])}
+    return {**out, **{"spin_" + s: plus(spin[k], turn, w[k] / R[k]) for k, s in enumerate(sides)}}
+
+
 def number(q, key):
     return F(double(q[key]))
 
 
 def vector(q, key):
-    return [F(double(t)) for t in q[key]]
+    return [F(double(t)) for t in (q[key] if isinstance(q[key], list) else [q[key]])]
 
 
 def inverse_mass(q, key):
@@ -167,6 +197,6 @@ def check_response(case, op):
         if op == "group":
             values = {key: [x for v in found for x in v] for key, found in zip(("loaded", "restituted"), group(q))}
         else:
-            values = response(op, q, kind)
-        rational = op != "revolution_impulse" and kind != "revolve" and "outer" not in str(q)
+            values = rough(q, kind) if op == "rough_impulse" else response(op, q, kind)
+        rational = op not in ("revolution_impulse", "rough_impulse") and kind != "revolve" and "outer" not in str(q)
         check_results(answer, values, rational)

@@ -8,6 +8,7 @@ says the branch) and of its discriminant. Responses are in verify_responses.py, 
 Exit code 1 if a case is wrong.
 """
 import glob, json, math, os, sys
+from decimal import Context, Decimal
 
 from verify_domain import check_question
 from verify_responses import F, Pair, check_nearest, check_response, check_results, claim, dot, double, inverse_mass, plus, root, vector
@@ -80,8 +81,8 @@ def order(p, q):
     return "after" if p.scaled(k) > q.scaled(k) else "before"
 
 
-def check_timing(case, kind):
-    q, proof, t = Query(case["in"], kind), case["proof"], case["t"]
+def check_timing(case, q):
+    proof, t = case["proof"], case["t"]
     claim(case["verdict"] == q.verdict, f"the verdict is {q.verdict}")
     claim(proof["D"] == sign(q.sign_D), "sign of D")
     for name in "ABC":
@@ -97,6 +98,54 @@ def check_timing(case, kind):
     claim(q.side(n, d) == 0 if lo == hi else q.side(n, d) < 0 and (hi == math.inf or q.side(m, e) > 0), "t")
     claim(lo == hi or hi == math.nextafter(lo, math.inf), "lo and hi are not adjacent")
     check_nearest(case["nearest"], lo, hi, q.side(*mid))
+
+
+class Plane(Query):
+    """How far B is beyond the limit of a plane through A, b t + c = L - n.r - n.v t: linear, and rising where it is reached."""
+
+    def __init__(self, q):
+        n = len(q["u_A"])
+        u, length = over_power_of_two(q["u_A"] + q["u_B"] + [q["L"]])
+        w, speed = over_power_of_two(q["v_A"] + q["v_B"])
+        normal, unit = over_power_of_two(q["normal"])
+        b = -dot(normal, [w[n + k] - w[k] for k in range(n)])
+        c = u[-1] * unit - dot(normal, [u[n + k] - u[k] for k in range(n)])
+        self.A, self.B, self.C = (0, 1), (b, speed * unit), (c, length * unit)
+        self.a, self.h, self.c, self.D, self.sign_D, self.larger = b * length, c * speed, 0, 0, b != 0, True
+        approaches = "hit" if c < 0 else "contact" if c == 0 else "overlap"
+        self.verdict = "static" if w[:n] == w[n:] else approaches if b > 0 else "receding"
+
+
+def logarithm(x, bits):
+    """Integers around -ln(x) 2^bits, 0 < x <= 1."""
+    digits = Context(prec=bits // 3 + 40 + max(0, len(str(x.denominator)) - len(str(x.numerator))))
+    ln = digits.divide(Decimal(x.numerator), Decimal(x.denominator))
+    ln = F(digits.minus(digits.ln(ln)))
+    middle = (ln.numerator << bits) // ln.denominator
+    return middle - 2, middle + 2
+
+
+def check_drag(case):
+    """t = -ln(1 - gamma s)/gamma: on which side of it lie lo, hi and their middle?"""
+    gamma, s = (F(double(case["in"][key])) for key in ("gamma", "s"))
+    z, proof, t = gamma * s, case["proof"], case["t"]
+    mantissa, exponent = proof["z"].split("p")
+    claim(z == F(int(mantissa, 16)) * F(2) ** int(exponent), "z")
+    claim(case["verdict"] == ("reached" if z < 1 else "never"), "verdict")
+    if z >= 1:
+        return claim(t is None and set(proof) == {"z"}, "t")
+    lo, hi = map(double, t)
+    claim((lo == hi == 0) if s == 0 else hi == math.nextafter(lo, math.inf), "lo and hi are not adjacent")
+    ends = [F(x) if x < math.inf else F(2) ** 1024 for x in (lo, hi)]
+    signs = []
+    for x in (*ends, sum(ends) / 2):
+        bits = 128 + max(0, z.denominator.bit_length() - z.numerator.bit_length())
+        while s and not (gamma * x * 2**bits < (around := logarithm(1 - z, bits))[0] or gamma * x * 2**bits > around[1]):
+            bits *= 2
+        signs.append(0 if s == 0 else -1 if gamma * x * 2**bits < around[0] else 1)
+    claim([proof[k] for k in ("lo", "hi", "mid")] == signs, "signs")
+    claim(signs == [0, 0, 0] or (signs[0] < 0 < signs[1]), "t is not between lo and hi")
+    check_nearest(case["nearest"], lo, hi, signs[2])
 
 
 def limits(scene):
@@ -136,8 +185,10 @@ def check_next_event(case):
 
 def check(case, op):
     check_question(op, case["in"])
+    if op == "drag_time":
+        return check_drag(case)
     if op.endswith("_time"):
-        return check_timing(case, op[:-5])
+        return check_timing(case, Plane(case["in"]) if op == "wall_time" else Query(case["in"], op[:-5]))
     if op == "next_event":
         return check_next_event(case)
     if op != "order":

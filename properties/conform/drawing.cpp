@@ -98,6 +98,40 @@ std::string vectors(const Given& g, const Json& found, const Json& right) {
   return picture.svg();
 }
 
+/// Across the plane along x, the flight in the page.
+std::string wall(const Given& g, const Json& found, const Json& right) {
+  const Vec r = g.r(), v = g.v();
+  const Plane plane(g.vec("normal"), v);
+  const auto at = [&](double t) { return plane.of(r + t * v); };
+  double reach = std::max({norm(r), g.number("L"), std::fabs(at(0).x), std::fabs(at(0).y)});
+  const auto t_found = time_in(found), t_right = time_in(right);
+  for (const auto& t : {t_found, t_right}) {
+    if (t) reach = std::max({reach, std::fabs(at(*t).x), std::fabs(at(*t).y)});
+  }
+  if (!std::isfinite(reach) || reach == 0) return {};
+  Picture picture(reach);
+  picture.line({0, -reach}, {0, reach}, "body");
+  picture.line({g.number("L"), -reach}, {g.number("L"), reach}, "limit");
+  picture.line(at(0), at(norm(v) > 0 ? 2 * reach / norm(v) : 0), "path");
+  picture.dot(at(0), "body", "B");
+  if (t_right) picture.dot(at(*t_right), "right", "right");
+  if (t_found) picture.dot(at(*t_found), "found", "found");
+  return picture.svg();
+}
+
+/// Times on a line that begins at 0.
+std::string time_line(const Given& g, const Json& found, const Json& right) {
+  const auto t_found = time_in(found), t_right = time_in(right);
+  const double reach = std::max({g.number("s"), t_right.value_or(0), std::fabs(t_found.value_or(0))});
+  if (!std::isfinite(reach) || reach == 0) return {};
+  Picture picture(reach);
+  picture.line({0, 0}, {reach, 0}, "path");
+  picture.dot({g.number("s"), 0}, "body", "s");
+  if (t_right) picture.dot({*t_right, 0}, "right", "right");
+  if (t_found) picture.dot({*t_found, 0}, "found", "found");
+  return picture.svg();
+}
+
 std::string drawn(const Json& in, const Json& found, const Json& right) {
   if (in.contains("scene")) return drawing_of_scene(in.at("scene"), found, right);
   if (in.contains("bodies")) return drawing_of_group(in, found, right);
@@ -106,6 +140,8 @@ std::string drawn(const Json& in, const Json& found, const Json& right) {
     return timing(Given(in.at("first")), none, none) + timing(Given(in.at("second")), none, none);
   }
   const Given given(in);
+  if (in.contains("normal")) return wall(given, found, right);
+  if (in.contains("gamma")) return time_line(given, found, right);
   if (in.contains("L")) return timing(given, found, right);
   return in.contains("u_A") ? impulse(given, found, right) : vectors(given, found, right);
 }

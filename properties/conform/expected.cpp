@@ -24,7 +24,7 @@ std::optional<double> condition_of(const Json& cond) {
 }
 
 Expected timing(const Json& answer) {
-  Expected expected{{{"verdict", answer.at("verdict")}}, {}, !answer.at("t").is_null()};
+  Expected expected{{{"verdict", answer.at("verdict")}}, {}, true, !answer.at("t").is_null()};
   if (expected.occurs)
     expected.numbers.push_back(
         {"t", {end_of(answer.at("t"), answer.at("nearest"))}, condition_of(answer.at("cond"))});
@@ -173,9 +173,9 @@ Comparison compare(const Expected& expected, const Question& question, Json out,
       // a state without ids has no rows, and is said to be missing
     }
   }
-  const bool is_timing = question.op == "block_time" || question.op == "tether_time";
   for (const ExpectedWord& each : expected.words) {
-    if (is_timing && !out.contains(each.key) && out.contains("t")) continue;  // a time alone is judged, too
+    if (expected.is_timing && !out.contains(each.key) && out.contains("t"))
+      continue;  // a time alone is judged, too
     const Json found = out.value(each.key, Json());
     if (found == each.word) continue;
     comparison.words = comparison.is_minor = false;
@@ -184,7 +184,7 @@ Comparison compare(const Expected& expected, const Question& question, Json out,
           fmt::format("{} is {}; right is {}", each.key, tps::shown(found), tps::shown(each.word));
     }
   }
-  if (is_timing) {
+  if (expected.is_timing) {
     compare_time(expected, out, format, k, comparison);
     return comparison;
   }

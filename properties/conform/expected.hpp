@@ -29,7 +29,8 @@ struct ExpectedWord {
 struct Expected {
   std::vector<ExpectedWord> words;
   std::vector<ExpectedNumbers> numbers;
-  bool occurs = true;  ///< of a timing query: whether there is a time
+  bool is_timing = false;  ///< a verdict, and "t" as one number or null
+  bool occurs = true;      ///< of a timing query: whether there is a time
 };
 
 /// The answer of a case, and others that it accepts ("also"), the former first.

@@ -6,33 +6,43 @@
 #include <cmath>
 #include <exception>
 
+#include "properties/conform/effect_margins.hpp"
 #include "properties/conform/response_margin.hpp"
 #include "properties/conform/timing_margin.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
+#include "verify/certified/timing_input.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties::conform {
 namespace {
 
-constexpr const char* kAsPrinted = "as the printed b² − 4ac does; the stable formula keeps these digits";
 constexpr const char* kOutOfRange =
     "products of the question's numbers leave the range; scale by powers of two first";
 
-bool is_timing(const Question& question) {
-  return question.op == "block_time" || question.op == "tether_time";
+const char* what_is_lost(const Question& question) {
+  return question.op == "drag_time" ? "as 1 − γs, rounded, does; log1p keeps these digits"
+                                    : "as the printed b² − 4ac does; the stable formula keeps these digits";
 }
 
-exact::TimingQuery timing_query(const std::string& op, const Json& in) {
-  return vectors::read_timing_input(op == "block_time" ? exact::Kind::block : exact::Kind::tether, in);
+bool is_timing(const KnownQuestion& known) {
+  return known.answer.contains("verdict");
+}
+
+/// The narrowest margin within which an answer to a timing operation is right.
+Margin margin_of(const Question& question, const TimeAnswer& answer, int bits) {
+  if (question.op == "drag_time") return margin_of_drag(question.in, answer, bits);
+  const auto kind = certified::timing_kind(question.op);
+  const exact::TimingQuery query = vectors::read_timing_input(kind.value(), question.in);
+  return kind == exact::Kind::plane ? margin_of_plane(query, answer, bits) : margin_of(query, answer, bits);
 }
 
 exact::TimingQuery half_of(const Json& order, const char* key) {
   Json in = order.at(key);
   const bool block = in.at("kind") == "block";
   in.erase("kind");
-  return timing_query(block ? "block_time" : "tether_time", in);
+  return vectors::read_timing_input(block ? exact::Kind::block : exact::Kind::tether, in);
 }
 
 TimeAnswer time_answer(const Json& out) {
@@ -52,21 +62,20 @@ Grade with(Class which, const Comparison& c, const std::string& reason = {}) {
 
 /// Of an answer to a timing query that is not right in K(k).
 Grade graded_time(const Question& question, const Json& out, const Comparison& c, const Format& format) {
-  const exact::TimingQuery query = timing_query(question.op, question.in);
   TimeAnswer answer = time_answer(out);
-  switch (margin_of(query, answer, format.bits)) {
+  switch (margin_of(question, answer, format.bits)) {
     case Margin::stable:
       return c.words ? with(Class::rounding, c)
                      : with(Class::beyond, c, "no evaluation in this precision can tell");
     case Margin::printed:
-      return with(Class::worse, c, kAsPrinted);
+      return with(Class::worse, c, what_is_lost(question));
     case Margin::none:
       break;
   }
   if (answer.verdict) {
     answer.verdict.reset();
     const bool has_time = answer.t.has_value();
-    if (out.contains("t") && margin_of(query, answer, format.bits) == Margin::stable)
+    if (out.contains("t") && margin_of(question, answer, format.bits) == Margin::stable)
       return with(Class::other_reading, c, has_time ? "its time is right" : "that nothing happens is right");
   }
   return with(Class::wrong, c);
@@ -77,7 +86,7 @@ Grade graded_order(const Question& question, const Comparison& c, const Format& 
     case Margin::stable:
       return with(Class::beyond, c, "the times are too near to tell in this precision");
     case Margin::printed:
-      return with(Class::worse, c, kAsPrinted);
+      return with(Class::worse, c, what_is_lost(question));
     case Margin::none:
       break;
   }
@@ -126,6 +135,9 @@ Grade graded_response(const KnownQuestion& known, const Json& out, const Compari
   if (known.question.op == "tether_response" && kind_is_open(known.question, format.bits) &&
       is_of_its_kind(known, out, format))
     return with(Class::beyond, c, "rounding decides between retraction and revolution");
+  if (known.question.op == "rough_impulse" && !c.words && c.numbers && c.within &&
+      friction_is_open(known.question, format.bits))
+    return with(Class::beyond, c, "rounding decides whether the surfaces hold");
   if (c.words && c.numbers && !leaves_range(known.question, format) && within_bounds(known, out, format.bits))
     return with(Class::rounding, c);
   if (!meets(stable, known, format, k))
@@ -146,11 +158,10 @@ Grade graded(const KnownQuestion& known, const Json& out, const Format& format, 
   if (best.words && best.within) {
     // K(k) knows the coefficients of the quadratic; the landing knows the formula, too.
     const bool is_worse =
-        is_timing(known.question) && margin_of(timing_query(known.question.op, known.question.in),
-                                               time_answer(out), format.bits) == Margin::printed;
-    return is_worse ? with(Class::worse, best, kAsPrinted) : with(Class::rounding, best);
+        is_timing(known) && margin_of(known.question, time_answer(out), format.bits) == Margin::printed;
+    return is_worse ? with(Class::worse, best, what_is_lost(known.question)) : with(Class::rounding, best);
   }
-  Grade found = is_timing(known.question)      ? graded_time(known.question, out, best, format)
+  Grade found = is_timing(known)               ? graded_time(known.question, out, best, format)
                 : known.question.op == "order" ? graded_order(known.question, best, format)
                                                : graded_response(known, out, best, format, stable, k);
   const bool is_lost = found.which == Class::wrong || found.which == Class::other_reading;

@@ -17,6 +17,7 @@ const std::vector<Mistake>& mistakes() {
     add_timing_mistakes(made);
     add_response_mistakes(made);
     add_group_mistakes(made);
+    add_effect_mistakes(made);
     return made;
   }();
   return all;

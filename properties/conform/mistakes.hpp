@@ -70,5 +70,6 @@ struct Mistake {
 void add_timing_mistakes(std::vector<Mistake>& mistakes);
 void add_response_mistakes(std::vector<Mistake>& mistakes);
 void add_group_mistakes(std::vector<Mistake>& mistakes);
+void add_effect_mistakes(std::vector<Mistake>& mistakes);
 
 }  // namespace tps::properties::conform

@@ -1,9 +1,9 @@
 #include "properties/conform/response_margin.hpp"
 
 #include <algorithm>
-
 #include <map>
 
+#include "properties/conform/effect_margins.hpp"
 #include "properties/conform/mistakes.hpp"
 #include "properties/laws/response_errors.hpp"
 
@@ -49,6 +49,8 @@ Bounds bounds_of(const std::string& op, const Given& g, const Json& out) {
     const double w_A = 1 / (1 + g.number("m_B") / g.number("m_A")),
                  w_B = 1 / (1 + g.number("m_A") / g.number("m_B"));
     bounds["v_load"] = 6 * (w_A * norm(g.vec("v_A")) + w_B * norm(g.vec("v_B")));
+  } else if (op == "rough_impulse") {
+    return rough_bounds(g, out.value("kind", ""));
   } else if (op == "restitution_impulse") {
     bounds["dp_AB"] = 6 * (norm(g.vec("dp")) + g.mu() * norm(g.v()));
   }

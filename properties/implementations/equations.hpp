@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "properties/implementation.hpp"
+#include "reference/equations/drag_time.hpp"
 #include "reference/equations/eq1_distance.hpp"
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
 #include "reference/equations/eq6_load_velocity.hpp"
 #include "reference/equations/eq7_restitution_impulse.hpp"
+#include "reference/equations/rough_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
+#include "reference/equations/wall_time.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "verify/eval/operations.hpp"
@@ -76,6 +79,19 @@ class Equations {
         out_["dp_AB"] = hex(
             restitution_impulse<Scalar, D>(number("m_A"), number("m_B"), vec("v_A"), vec("v_B"), vec("dp")));
         break;
+      case Op::wall_time:
+        time(
+            wall_time<Scalar, D>(vec("u_A"), vec("u_B"), vec("v_A"), vec("v_B"), number("L"), vec("normal")));
+        break;
+      case Op::drag_time: {
+        const std::optional<Scalar> t = drag_time<Scalar>(number("gamma"), number("s"));
+        out_["verdict"] = t ? "reached" : "never";
+        if (t) out_["t"] = hex(*t);
+        break;
+      }
+      case Op::rough_impulse:
+        rough();
+        break;
     }
   }
 
@@ -132,6 +148,37 @@ class Equations {
     out_["kind"] = answer.kind == TetherResponseKind::revolve ? "revolve" : "retract";
     out_["dp"] = hex(answer.dp);
     velocities(answer.dp);
+  }
+
+  Spin<Scalar, D> spin(const char* key) const {
+    const Json& value = in_.at(key);
+    Spin<Scalar, D> omega = Spin<Scalar, D>::Zero();
+    if (!value.is_array()) {  // in the plane, about z
+      omega[omega.size() - 1] = scalar(value);
+      return omega;
+    }
+    for (int k = 0; k < omega.size(); ++k) omega[k] = scalar(value.at(static_cast<std::size_t>(k)));
+    return omega;
+  }
+  void rough() {
+    const CollisionFrame<Scalar, D> f = frame();
+    const Vec normal = collision_impulse<Scalar, D>(f, number("m_A"), number("m_B"), number("c"));
+    // A planar question in space asks about discs at z = 0.
+    const Scalar K = dimension_ == 2 ? inertia_ratio<Scalar, 2>() : inertia_ratio<Scalar, 3>();
+    const Spin<Scalar, D> surface = number("R_A") * spin("spin_A") + number("R_B") * spin("spin_B");
+    const RoughImpulse<Scalar, D> across = rough_impulse<Scalar, D>(
+        f, number("m_A"), number("m_B"), norm<Scalar, D>(normal), surface, number("mu"), number("beta0"), K);
+    out_["kind"] = across.sticks ? "sticks" : "slides";
+    const Vec dp = normal + across.dp;
+    out_["dp"] = hex(dp);
+    velocities(dp);
+    for (const auto& [key, m, R] : {std::array{"spin_A", "m_A", "R_A"}, std::array{"spin_B", "m_B", "R_B"}}) {
+      const Spin<Scalar, D> after =
+          spin(key) + spin_change<Scalar, D>(f.u_hat, across.dp, number(m), number(R), K);
+      Json list = Json::array();
+      for (int k = 0; k < after.size(); ++k) list.push_back(hex(Scalar(after[k])));
+      out_[key] = dimension_ == 2 ? list.back() : list;
+    }
   }
 
   Vec impulse_of(const Json& c, const CollisionFrame<Scalar, D>& f, const Scalar& m_i, const Scalar& m_j) {

@@ -64,6 +64,7 @@ struct RoughImpulse {
 /// @param surface  R_A ω_A + R_B ω_B, a velocity
 /// @param mu       coefficient of friction, [0, ∞)
 /// @param beta0    tangential restitution of surfaces that stick, [−1, 1]
+/// @param K        I/(m R²): in space that of a sphere, 1/2 for discs that stay at z = 0
 /// Laws: (1) sticking, g_t' = −β₀ g_t; sliding, J_t = μ |J_n| and g_t' = −β g_t with −1 ≤ β < β₀; (2)
 /// momentum, and with spin_change() angular momentum, orbital and spin, are conserved where |u_B − u_A| = R_A
 /// + R_B; (3) the energy of motion and spin falls by ½ m ((1 − c²) v_n² + κ (1 − β²) g_t²) with eq. (4); (4)
@@ -74,10 +75,10 @@ RoughImpulse<Scalar, D> rough_impulse(const CollisionFrame<Scalar, D>& frame,
                                       const std::type_identity_t<Scalar>& m_B,
                                       const std::type_identity_t<Scalar>& normal,
                                       const Spin<Scalar, D>& surface, const std::type_identity_t<Scalar>& mu,
-                                      const std::type_identity_t<Scalar>& beta0) {
+                                      const std::type_identity_t<Scalar>& beta0,
+                                      const std::type_identity_t<Scalar>& K = inertia_ratio<Scalar, D>()) {
   const Vector<Scalar, D> g_t = frame.v_w - turned<Scalar, D>(surface, frame.u_hat);
   const Scalar speed = norm<Scalar, D>(g_t);
-  const Scalar K = inertia_ratio<Scalar, D>();
   const Scalar mass = K / (Scalar(1) + K) * reduced_mass<Scalar>(m_A, m_B);
   const Scalar holding = (Scalar(1) + beta0) * mass * speed;
   const Scalar most = mu * normal;
@@ -97,8 +98,9 @@ RoughImpulse<Scalar, D> rough_impulse(const CollisionFrame<Scalar, D>& frame,
 template <typename Scalar, int D>
 Spin<Scalar, D> spin_change(const Vector<Scalar, D>& u_hat, const Vector<Scalar, D>& dp,
                             const std::type_identity_t<Scalar>& mass,
-                            const std::type_identity_t<Scalar>& radius) {
-  return moment<Scalar, D>(u_hat, dp) / (inertia_ratio<Scalar, D>() * mass * radius);
+                            const std::type_identity_t<Scalar>& radius,
+                            const std::type_identity_t<Scalar>& K = inertia_ratio<Scalar, D>()) {
+  return moment<Scalar, D>(u_hat, dp) / (K * mass * radius);
 }
 
 }  // namespace tps

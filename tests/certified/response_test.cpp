@@ -40,6 +40,9 @@ class Generator {
           in.values[key] = {key == "m_B" && pick(0, 4) == 0 ? HUGE_VAL
                                                             : std::ldexp(uniform(1, 2), pick(-20, 20))};
           break;
+        case eval::Domain::spin:
+          in.values[key] = vector(in.dimension == 2 ? 1 : 3);
+          break;
         case eval::Domain::angle:
           in.values[key] = {pick(0, 1) == 0 ? uniform(1e-6, 89.99) : pick(1, 5) * 15.0};
           break;
@@ -55,8 +58,8 @@ class Generator {
 };
 
 const char* const kOperations[] = {
-    "apply_impulse", "collision_impulse",  "revolution_impulse", "tether_response",
-    "load",          "restitution_impulse"};
+    "apply_impulse", "collision_impulse",   "revolution_impulse", "tether_response",
+    "load",          "restitution_impulse", "rough_impulse"};
 
 bool tight(const Enclosure& e) {
   const double next = std::nextafter(e.lo, HUGE_VAL);
@@ -68,8 +71,8 @@ bool tight(const Enclosure& e) {
 TEST(CertifiedResponse, EnclosesTheReferenceIn100Digits) {
   Generator generator(20);
   int components = 0;
-  for (int n = 0; n < 900; ++n) {
-    const eval::Operation& operation = *eval::find_operation(kOperations[n % 6]);
+  for (int n = 0; n < 1050; ++n) {
+    const eval::Operation& operation = *eval::find_operation(kOperations[n % 7]);
     const eval::Input input = generator.input(operation);
     const Response response = certified_response(operation.op, input);
     for (const eval::Quantity& q : eval::evaluate(operation, input, "mp100").results) {
@@ -156,6 +159,23 @@ TEST(CertifiedResponse, TheBoundaryBetweenRetractionAndRevolutionIsExact) {
   EXPECT_FALSE(kind_of("1,0", "0.5", "45").boundary);
   EXPECT_EQ(kind_of("1,0", "0", "45").kind, "retract");
   EXPECT_TRUE(kind_of("1,0", "0", "45").boundary);
+}
+
+// û = (3, 4)/5; both limits of friction are equal: 0.75 · 1.5 |v_n| = 1/3 · 1.5 |g_t| with v_n = −4, g_t = 9.
+TEST(CertifiedResponse, TheBoundaryBetweenHoldingAndSlidingIsExact) {
+  const auto kind_of = [](const std::string& v_B) {
+    return respond("rough_impulse", {"u_A=0,0", "u_B=3,4", "v_A=0,0", "v_B=" + v_B, "spin_A=1", "spin_B=0",
+                                     "m_A=1", "m_B=1", "R_A=1", "R_B=1", "c=0.5", "mu=0.75", "beta0=0.5"});
+  };
+  // v = −4 û + 10 t̂, t̂ = (−4, 3)/5; the surface of A moves with 1 t̂.
+  const Response equal = kind_of("-10.4,2.8");
+  EXPECT_FALSE(equal.boundary);  // decimals are not the numbers meant
+  const Response exactly =
+      respond("rough_impulse", {"u_A=0,0", "u_B=1,0", "v_A=0,0", "v_B=-4,10", "spin_A=1", "spin_B=0", "m_A=1",
+                                "m_B=1", "R_A=1", "R_B=1", "c=0.5", "mu=0.75", "beta0=0.5"});
+  EXPECT_TRUE(exactly.boundary);
+  EXPECT_EQ(exactly.kind, "sticks");
+  expect_double(exactly.values.at("dp")[1], 2.25);
 }
 
 TEST(CertifiedResponse, InfiniteMassesAndTheEndsOfTheRange) {

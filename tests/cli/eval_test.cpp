@@ -37,6 +37,20 @@ TEST(Eval, EveryOperationAnswers) {
   EXPECT_EQ(out("restitution_impulse " + kMasses + "v_A=0,0 v_B=2,0 dp=0,0")["dp_AB"][0], "-0x1p+0");
 }
 
+TEST(Eval, EffectsAnswer) {
+  EXPECT_EQ(out("wall_time u_A=0,0 u_B=3,1 v_A=0,0 v_B=-1,2 L=1 normal=1,0"),
+            (nlohmann::json{{"verdict", "hit"}, {"t", "0x1p+1"}}));
+  EXPECT_EQ(out("drag_time gamma=1 s=1"), (nlohmann::json{{"verdict", "never"}, {"t", nullptr}}));
+  EXPECT_EQ(out("drag_time gamma=1 s=0.5")["t"], "0x1.62e42fefa39efp-1");  // ln 2
+  // Perfectly rough discs (β₀ = 1) of equal masses: a spinning one gives a third of its spin's surface speed.
+  const nlohmann::json rough = out("rough_impulse u_A=0,0 u_B=1,0 v_A=1,0 v_B=0,0 spin_A=3 spin_B=0 " +
+                                   kMasses + "R_A=0.5 R_B=0.5 c=1 mu=9 beta0=1");
+  EXPECT_EQ(rough["kind"], "sticks");
+  EXPECT_EQ(rough["v_B"], (nlohmann::json{"0x1p+0", "0x1p-1"}));
+  EXPECT_EQ(rough["spin_A"], "0x1p+0");
+  EXPECT_EQ(rough["spin_B"], "-0x1p+1");
+}
+
 TEST(Eval, NoEventIsNull) {
   EXPECT_EQ(out("block_time " + kPair + "L=1"), (nlohmann::json{{"verdict", "receding"}, {"t", nullptr}}));
 }
@@ -94,6 +108,24 @@ TEST(Eval, SaysWhatIsWrong) {
        "θ_revolve must be in"},
       {"revolution_impulse u_A=0,0 u_B=1,0 v_A=0,0 v_B=1,0 m_A=1 m_B=1 c_revolve=1 theta_revolve_deg=45", 3,
        "û_revolve is 0/0"},
+      {"wall_time u_A=0,0 u_B=3,1 v_A=0,0 v_B=-1,2 L=1 normal=1,1", 3,
+       "normal has the length 1.4142135623730951; a direction has length 1, to 2^-10"},
+      {"wall_time u_A=0,0 u_B=3,1 v_A=0,0 v_B=-1,2 L=1 normal=1,0,0", 3,
+       "normal has 3 components where the vectors before it have 2"},
+      {"drag_time gamma=0 s=1", 3, "gamma is 0; a rate must be finite and above 0"},
+      {"drag_time gamma=1 s=-1", 3, "s is -1; it must be finite and at least 0"},
+      {"rough_impulse u_A=0,0 u_B=1,0 v_A=0,0 v_B=0,1 spin_A=1,2 spin_B=0 m_A=1 m_B=1 R_A=0 R_B=1 c=1 mu=-1 "
+       "beta0=2",
+       3, "R_A is 0; a radius must be finite and above 0"},
+      {"rough_impulse u_A=0,0 u_B=1,0 v_A=0,0 v_B=0,1 spin_A=1 spin_B=0 m_A=1 m_B=1 R_A=1 R_B=1 c=1 mu=-1 "
+       "beta0=2",
+       3, "mu is -1; it must be finite and at least 0"},
+      {"rough_impulse u_A=0,0 u_B=1,0 v_A=0,0 v_B=0,1 spin_A=1 spin_B=0 m_A=1 m_B=1 R_A=1 R_B=1 c=1 mu=1 "
+       "beta0=2",
+       3, "beta0 is 2; tangential restitution must be in [-1, 1]"},
+      {"rough_impulse u_A=0,0 u_B=1,0 v_A=0,0 v_B=0,1 spin_A=1,2 spin_B=0 m_A=1 m_B=1 R_A=1 R_B=1 c=1 mu=1 "
+       "beta0=1",
+       3, "spin_A has 2 components; a spin is one number in the plane, three in space"},
   };
   for (const Refused& refused : cases) {
     const Outcome outcome = run_eval(refused.arguments);

@@ -21,7 +21,7 @@ class Mutant:
         return "block_time,tether_time" if self.op in ("block_time", "tether_time") else self.op
 
 
-T, R, G, P = "timing.py", "responses.py", "groups.py", "protocol.py"
+T, R, G, P, E = "timing.py", "responses.py", "groups.py", "protocol.py", "effects.py"
 HIT = '"t": c / (-h + math.sqrt(D))}'
 PULL = '"t": -c / (h + math.sqrt(D)) if h > 0 else (-h + math.sqrt(D)) / a}'
 ROOT = "c = (distance - L) * (distance + L)"
@@ -110,6 +110,26 @@ WRONG = [
     Mutant("group_stays_behind", G, "for k in both:\n            m[k], v[k], members[k] = mass, joint, both",
            "for k in both:\n            m[k], members[k] = mass, both\n        v[i] = v[j] = joint", "group",
            "only the two particles take the common velocity, not their groups"),
+    Mutant("centre_at_the_wall", E, " - L\n", "\n", "wall_time", "the centre instead of the surface of the particle"),
+    Mutant("wall_crossed", E, '{"verdict": "overlap" if gap < 0 else "contact", "t": 0}', '{"verdict": "receding", "t": None}', "wall_time",
+           "a particle that is at the plane or behind it lost"),
+    Mutant("behind_the_wall", E, "towards = -dot(normal, v)", "gap, towards = -gap - 2 * L, dot(normal, v)", "wall_time", "the normal turned round"),
+    Mutant("distance_for_time", E, '"t": gap / towards}', '"t": gap}', "wall_time", "the distance from the plane instead of the time to it"),
+    Mutant("whole_speed", E, '"t": gap / towards}', '"t": gap / math.sqrt(dot(v, v))}', "wall_time", "the whole speed instead of that towards the plane"),
+    Mutant("clock_for_time", E, "-math.log1p(-gamma * s) / gamma}", "s}", "drag_time", "s itself"),
+    Mutant("not_divided_by_gamma", E, "-math.log1p(-gamma * s) / gamma}", "-math.log1p(-gamma * s)}", "drag_time", "the logarithm not divided by γ"),
+    Mutant("other_way_round", E, "-math.log1p(-gamma * s) / gamma}", "-math.expm1(-gamma * s) / gamma}", "drag_time", "s of t instead of t of s"),
+    Mutant("time_goes_on", E, 'if gamma * s >= 1:', "if gamma * s > 1e9:", "drag_time", kind="REFUSED"),
+    Mutant("no_friction", E, "dp, turn = [x + y for x, y in zip(normal, across)]", "dp, turn = normal", "rough_impulse", "without friction"),
+    Mutant("friction_reversed", E, "across = [factor * x if sticks else most * (x / slip) for x in g]", "across = [-factor * x if sticks else -most * (x / slip) for x in g]",
+           "rough_impulse", "friction the other way"),
+    Mutant("spin_of_one", E, "R_A * x + R_B * y for", "R_A * x for", "rough_impulse", "B's spin left out"),
+    Mutant("spins_against", E, "R_A * x + R_B * y for", "R_A * x - R_B * y for", "rough_impulse", "B's spin with the other sign"),
+    Mutant("always_holds", E, "sticks = factor * slip <= most", "sticks = True", "rough_impulse", "surfaces always hold"),
+    Mutant("spheres_everywhere", E, "1 / 2 if is_planar else 2 / 5", "2 / 5", "rough_impulse", "the mass of a sphere's contact for a disc"),
+    Mutant("whole_mass", E, "(1 + beta0) * K / (1 + K) * reduced", "(1 + beta0) * reduced", "rough_impulse", "the reduced mass instead of that of the contact"),
+    Mutant("beta_alone", E, "(1 + beta0) * K", "beta0 * K", "rough_impulse", "β₀ instead of 1 + β₀"),
+    Mutant("turns_the_other_way", E, "cross(n, across)", "cross(across, n)", "rough_impulse"),
 ]
 
 # Right, but by other words or not the same bits.

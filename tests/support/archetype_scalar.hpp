@@ -39,6 +39,7 @@ class Scalar {
   friend Scalar frexp(Scalar x, int* exponent) { return Scalar(std::frexp(x.value_, exponent)); }
   friend Scalar ldexp(Scalar x, int exponent) { return Scalar(std::ldexp(x.value_, exponent)); }
   friend Scalar tan(Scalar x) { return Scalar(std::tan(x.value_)); }
+  friend Scalar log1p(Scalar x) { return Scalar(std::log1p(x.value_)); }
   friend Scalar pow(Scalar x, Scalar y) { return Scalar(std::pow(x.value_, y.value_)); }
 
   friend std::ostream& operator<<(std::ostream& out, Scalar x) { return out << x.value_; }  // test messages

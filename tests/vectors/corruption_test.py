@@ -27,8 +27,10 @@ def corruptions(case):
 
     if "verdict" in case:
         yield broken(lambda c: c.update(verdict=swapped(c["verdict"], ["hit", "miss"])))
-        yield broken(lambda c: c["proof"].update(A=c["proof"]["A"].replace("p", "1p", 1)))
-        yield broken(lambda c: c["proof"].update(D=c["proof"]["D"] + 1))
+        known = "z" if "z" in case["proof"] else "A"
+        yield broken(lambda c: c["proof"].update({known: c["proof"][known].replace("p", "1p", 1)}))
+        if "D" in case["proof"]:
+            yield broken(lambda c: c["proof"].update(D=c["proof"]["D"] + 1))
     if case.get("t"):
         yield broken(lambda c: c.update(t=[moved(x) for x in c["t"]]))
         yield broken(lambda c: c.update(t=None))
@@ -52,7 +54,7 @@ def corruptions(case):
         if key in case:
             yield broken(lambda c: c.update({key: c[key] + 1}))
     if "kind" in case and "also" not in case:
-        yield broken(lambda c: c.update(kind=swapped(c["kind"], ["retract", "revolve"])))
+        yield broken(lambda c: c.update(kind=swapped(c["kind"], ["sticks", "slides"] if case["kind"] in ("sticks", "slides") else ["retract", "revolve"])))
 
 
 def noticed(case, op):

@@ -12,6 +12,11 @@ import verify_domain, verify_vectors
 WRONG = {
     "vector": [["inf", "0x0p+0"], ["0x0p+0"], ["0x0p+0"] * 4, "0x0p+0", [], ["nan", "0x0p+0"], None, {}, "MIXED"],
     "mass": ["0x0p+0", "-0x1p+0", "nan", None, [], "heavy"],
+    "direction": [["0x1p+0", "0x1p+0"], ["0x0p+0", "0x0p+0"], ["0x1p+0"], "0x1p+0", ["nan", "0x1p+0"]],
+    "spin": ["inf", "nan", ["0x0p+0", "0x0p+0"], [], None, "fast"],
+    "signed": ["0x1.0000000000001p+0", "-0x1p+1", "nan"],
+    "rate": ["0x0p+0", "-0x1p+0", "inf"],
+    "not_negative": ["-0x1p-60", "inf", "nan"],
     "length": ["0x0p+0", "-0x1p-1", "inf", "nan"],
     "coefficient": ["0x1.cp+2", "-0x1p-60", "0x1.0000000000001p+0", "inf"],
     "angle": ["0x0p+0", "0x1.68p+7", "0x1.68p+6", "-0x1p+0", "0x1p-30"],
@@ -21,9 +26,12 @@ WRONG = {
 def kind_of(key):
     if key in ("u_A", "u_B", "v_A", "v_B", "dp", "u", "v", "position", "velocity"):
         return "vector"
+    kind = {"normal": "direction", "spin_A": "spin", "spin_B": "spin", "beta0": "signed", "gamma": "rate", "s": "not_negative", "mu": "not_negative"}
+    if key in kind:
+        return kind[key]
     if key in ("m_A", "m_B", "m", "mass"):
         return "mass"
-    if key in ("L", "distance"):
+    if key in ("L", "distance", "R_A", "R_B"):
         return "length"
     if key.startswith("theta"):
         return "angle"
@@ -99,5 +107,5 @@ for name in sorted(glob.glob(os.path.join(source, "data/vectors/*.jsonl"))):
         if run.returncode != 1 or run.stdout != expected or run.stderr.count("no question of the operation") != bad:
             missed.append(f"tps: exit code {run.returncode}, {run.stdout!r}, {run.stderr[:2000]}")
 print(f"{made} questions outside of {len(seen)} operations")
-if missed or made < 300 or len(seen) != 11:
+if missed or made < 300 or len(seen) != len(verify_domain.KEYS) + 3:  # order, group, next_event
     sys.exit("\n".join(missed[:5]) + f"\n{len(missed)} missed")

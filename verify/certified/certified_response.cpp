@@ -3,6 +3,7 @@
 #include "reference/text/input_error.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
+#include "verify/certified/rough_response.hpp"
 
 namespace tps::certified {
 namespace {
@@ -17,6 +18,7 @@ class Lifted {
   Real inverse_A() const { return inverse_mass(number("m_A")); }
   Real inverse_B() const { return inverse_mass(number("m_B")); }
   Real reduced_mass() const { return Real(1) / (inverse_A() + inverse_B()); }
+  const eval::Input& input() const { return input_; }
   RealVector v_AB() const { return vector("v_B") - vector("v_A"); }
   Collision pair() const {
     return collision(vector("u_B") - vector("u_A"), v_AB(), inverse_A(), inverse_B());
@@ -61,7 +63,12 @@ Response tether(const Lifted& in) {
 }  // namespace
 
 std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first) {
-  if (op != eval::Op::tether_response || !first.boundary) return std::nullopt;
+  if (!first.boundary) return std::nullopt;
+  if (op == eval::Op::rough_impulse) {  // at the boundary both limits are one impulse
+    Response other = first;
+    other.kind = first.kind == "sticks" ? "slides" : "sticks";
+    return other;
+  }
   const Lifted in(input);
   return settled([&]() -> std::optional<Response> {
     const Collision pair = in.pair();
@@ -93,6 +100,8 @@ Response evaluated(eval::Op op, const Lifted& in) {
     case eval::Op::restitution_impulse:
       response.values["dp_AB"] = enclosure(in.vector("dp") - in.reduced_mass() * in.v_AB());
       return response;
+    case eval::Op::rough_impulse:
+      return rough_response(in.input());
     default:
       throw InputError({{"", 0, "", "the operation has no impulse or velocity to certify"}});
   }

@@ -26,21 +26,24 @@ struct Enclosure {
 using EnclosedVector = std::vector<Enclosure>;
 
 struct Response {
-  std::string kind;       ///< of tether_response: "retract" or "revolve"; empty for the others
-  bool boundary = false;  ///< |c_retract v_n| = tan θ |v_ŵ|: rounding decides, either kind is acceptable
+  /// Of tether_response "retract" or "revolve", of rough_impulse "sticks" or "slides"; empty for the others.
+  std::string kind;
+  /// |c_retract v_n| = tan θ |v_ŵ|, or both limits of friction equal: rounding decides, either kind is
+  /// acceptable.
+  bool boundary = false;
   std::map<std::string, EnclosedVector>
       values;  ///< by the keys of the operation's result: dp, v_A, v_load, …
 };
 
-/// Evaluates apply_impulse, collision_impulse, revolution_impulse, tether_response, load or
-/// restitution_impulse.
+/// Evaluates apply_impulse, collision_impulse, revolution_impulse, tether_response, load,
+/// restitution_impulse or rough_impulse.
 ///
 /// REQUIRES one of these, and input as read_words() and read_json() return it. Throws InputError where eq.
 /// (5) is asked of a pair without tangential motion.
 Response certified_response(eval::Op op, const eval::Input& input);
 
-/// At a boundary, tether_response with the other kind than `first` has; absent elsewhere, and where v_ŵ = 0
-/// leaves eq. (5) without an answer.
+/// At a boundary, tether_response or rough_impulse with the other kind than `first` has; absent elsewhere,
+/// and where v_ŵ = 0 leaves eq. (5) without an answer.
 std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first);
 
 /// Bodies at one instant and the collisions that group them (semantics §4).

@@ -20,7 +20,7 @@ namespace {
 std::string eval_footer() {
   std::string text = "Operations and their keys:\n";
   for (const eval::Operation& o : eval::operations()) {
-    fmt::format_to(std::back_inserter(text), "  {:<19} eq. {:<10} {}\n", o.name, o.equation,
+    fmt::format_to(std::back_inserter(text), "  {:<19} {:<15} {}\n", o.name, eval::rule_name(o),
                    fmt::join(o.keys, " "));
   }
   text +=

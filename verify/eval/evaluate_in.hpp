@@ -9,25 +9,28 @@
 #include <string>
 #include <type_traits>
 
+#include "reference/equations/drag_time.hpp"
 #include "reference/equations/eq1_distance.hpp"
 #include "reference/equations/eq2_collision_time.hpp"
 #include "reference/equations/eq2_paper_time.hpp"
 #include "reference/equations/eq3_apply_impulse.hpp"
 #include "reference/equations/eq6_load_velocity.hpp"
 #include "reference/equations/eq7_restitution_impulse.hpp"
+#include "reference/equations/rough_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
-#include "reference/text/hexfloat.hpp"
+#include "reference/equations/wall_time.hpp"
 #include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/report_in.hpp"
 
 namespace tps::eval {
 
 template <typename Scalar, int D>
-class Evaluation {
+class Evaluation : private ReportIn<Scalar> {
  public:
   using Vec = Vector<Scalar, D>;
 
-  Evaluation(const Input& input, std::string_view scalar) : input_(input), scalar_(scalar) {}
+  Evaluation(const Input& input, std::string_view scalar) : ReportIn<Scalar>(scalar), input_(input) {}
 
   Report of(Op op) {
     switch (op) {
@@ -60,16 +63,30 @@ class Evaluation {
       case Op::restitution_impulse:
         restitution();
         break;
+      case Op::wall_time:
+        wall();
+        break;
+      case Op::drag_time:
+        drag();
+        break;
+      case Op::rough_impulse:
+        rough();
+        break;
     }
-    return report_;
+    return this->report();
   }
 
  private:
+  using ReportIn<Scalar>::step;
+  using ReportIn<Scalar>::result;
+  using ReportIn<Scalar>::word;
+  using ReportIn<Scalar>::time;
+
   // Input in this scalar: doubles lifted exactly, or rounded once more to float.
   Scalar lifted(const std::string& key, double x) const {
     const Scalar value = static_cast<Scalar>(x);
-    const bool lost = std::isfinite(x) && x != 0 && (value == Scalar(0) || !finite(value));
-    if (lost) refuse(fmt::format("{} is {}, which is outside the range of {}", key, x, scalar_));
+    const bool lost = std::isfinite(x) && x != 0 && (value == Scalar(0) || !this->finite(value));
+    if (lost) this->refuse(fmt::format("{} is {}, which is outside the range of {}", key, x, this->scalar()));
     return value;
   }
   Scalar number(const std::string& key) const { return lifted(key, input_.values.at(key)[0]); }
@@ -79,48 +96,6 @@ class Evaluation {
     return v;
   }
 
-  static bool finite(const Scalar& x) {
-    using std::abs;
-    return abs(x) <= (std::numeric_limits<Scalar>::max)();  // false for NaN, too
-  }
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError({{"numbers", 0, "", message + "; use a wider --scalar or other numbers"}});
-  }
-
-  // Output.
-  static Number spelled(const Scalar& x) {
-    if constexpr (std::is_floating_point_v<Scalar>) {
-      return {fmt::format("{}", x), to_hex(x)};
-    } else {
-      return {x.str(std::numeric_limits<Scalar>::max_digits10), to_hex(x)};
-    }
-  }
-  Quantity quantity(const char* key, const char* symbol, const char* formula, const Scalar& x) const {
-    if (!finite(x))
-      refuse(fmt::format("{} is not a finite {}: the numbers are beyond its range", symbol, scalar_));
-    return {key, symbol, formula, {spelled(x)}, false, ""};
-  }
-  Quantity quantity(const char* key, const char* symbol, const char* formula, const Vec& x) const {
-    Quantity q{key, symbol, formula, {}, true, ""};
-    for (int k = 0; k < D; ++k) q.numbers.push_back(quantity(key, symbol, formula, Scalar(x[k])).numbers[0]);
-    return q;
-  }
-  template <typename Value>
-  void step(const char* key, const char* symbol, const char* formula, const Value& x) {
-    report_.steps.push_back(quantity(key, symbol, formula, x));
-  }
-  template <typename Value>
-  void result(const char* key, const char* symbol, const Value& x) {
-    report_.results.push_back(quantity(key, symbol, "", x));
-  }
-  void word(const char* key, std::string_view value) {
-    report_.results.push_back({key, key, "", {}, false, std::string(value)});
-  }
-  void time(const std::optional<Scalar>& t) {  // may lie beyond the range: ∞
-    Quantity q{"t", "Δt", "", {}, false, ""};
-    if (t) q.numbers.push_back(spelled(*t));
-    report_.results.push_back(q);
-  }
   void results(const PairVelocities<Scalar, D>& after) {
     result("v_A", "v_A'", after.v_A);
     result("v_B", "v_B'", after.v_B);
@@ -241,9 +216,54 @@ class Evaluation {
                                           vector("dp")));
   }
 
+  void wall() {
+    const Vec u_A = vector("u_A"), u_B = vector("u_B"), v_A = vector("v_A"), v_B = vector("v_B");
+    const Vec normal = vector("normal");
+    const WallApproach<Scalar> q = wall_approach<Scalar, D>(u_A, u_B, v_A, v_B, number("L"), normal);
+    step("gap", "gap", "n·(u_B - u_A) - L", q.gap);
+    step("v_n", "v_n", "n·(v_B - v_A)", q.v_n);
+    const CollisionTime<Scalar> at = wall_time<Scalar, D>(u_A, u_B, v_A, v_B, number("L"), normal);
+    word("verdict", tps::name(at.verdict));
+    time(at.t);
+  }
+
+  void drag() {
+    step("z", "γs", "1 - e^(-γt)", Scalar(number("gamma") * number("s")));
+    const std::optional<Scalar> t = drag_time<Scalar>(number("gamma"), number("s"));
+    word("verdict", t ? "reached" : "never");
+    time(t, "t");
+  }
+
+  Spin<Scalar, D> spin(const std::string& key) const {
+    Spin<Scalar, D> omega;
+    for (int k = 0; k < omega.size(); ++k)
+      omega[k] = lifted(key, input_.values.at(key)[static_cast<std::size_t>(k)]);
+    return omega;
+  }
+
+  void rough() {
+    const Scalar m_A = number("m_A"), m_B = number("m_B"), R_A = number("R_A"), R_B = number("R_B");
+    const CollisionFrame<Scalar, D> f = frame();
+    const Vec normal = collision_impulse<Scalar, D>(f, m_A, m_B, number("c"));
+    const Spin<Scalar, D> surface = R_A * spin("spin_A") + R_B * spin("spin_B");
+    step("normal", "J_n", "(1 + c) μ v_û", normal);
+    step("surface", "S", "R_A ω_A + R_B ω_B", surface);
+    step("g_t", "g_t", "v_ŵ - S × û", Vec(f.v_w - turned<Scalar, D>(surface, f.u_hat)));
+    const RoughImpulse<Scalar, D> across = rough_impulse<Scalar, D>(f, m_A, m_B, norm<Scalar, D>(normal),
+                                                                    surface, number("mu"), number("beta0"));
+    step("across", "J_t", "min(μ |J_n|, κ (1 + β0) m |g_t|) along g_t", across.dp);
+    word("kind", across.sticks ? "sticks" : "slides");
+    const Vec dp = normal + across.dp;
+    result("dp", "Δp", dp);
+    results(apply_impulse<Scalar, D>(m_A, m_B, vector("v_A"), vector("v_B"), dp));
+    const auto after = [&](const char* key, const Scalar& m, const Scalar& R) {
+      return Spin<Scalar, D>(spin(key) + spin_change<Scalar, D>(f.u_hat, across.dp, m, R));
+    };
+    result("spin_A", "ω_A'", after("spin_A", m_A, R_A));
+    result("spin_B", "ω_B'", after("spin_B", m_B, R_B));
+  }
+
   const Input& input_;
-  std::string_view scalar_;
-  Report report_;
 };
 
 template <typename Scalar>

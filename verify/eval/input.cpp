@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "reference/text/file_kind.hpp"
@@ -69,6 +70,7 @@ class Reader {
       problems_.add(line, place,
                     "m_A and m_B are both inf; two infinite masses never interact, make one finite");
     }
+    check_spins(line, place);
     if (needs_axis_ && v.at("u_A") == v.at("u_B")) {
       problems_.add(
           line, place,
@@ -79,17 +81,30 @@ class Reader {
   }
 
  private:
+  void check_spins(std::size_t line, const std::string& place) {
+    const std::size_t components = input_.dimension == 2 ? 1 : 3;
+    for (const auto& [key, numbers] : input_.values) {
+      if (domain_of(key) != Domain::spin || numbers.size() == components) continue;
+      problems_.add(line, place,
+                    fmt::format("{} has {} components; a spin is one number in the plane, three in space",
+                                key, numbers.size()));
+    }
+  }
+
   void check(const std::string& key, const std::vector<double>& numbers, std::size_t line,
              const std::string& pointer) {
     const auto refuse = [&](double found, const char* allowed) {
       problems_.add(line, pointer, fmt::format("{} is {}; {}", key, found, allowed));
     };
     const Domain domain = domain_of(key);
-    if (domain == Domain::vector) {
-      check_dimension(key, numbers, line, pointer);
+    const bool is_vector = domain == Domain::vector || domain == Domain::direction;
+    if (is_vector) check_dimension(key, numbers, line, pointer);
+    if (is_vector || domain == Domain::spin) {
       for (const double x : numbers) {
-        if (!std::isfinite(x)) refuse(x, "components must be finite");
+        if (!std::isfinite(x)) return refuse(x, "components must be finite");
       }
+      const bool has_length = numbers.size() == 2 || numbers.size() == 3;
+      if (domain == Domain::direction && has_length) check_length(key, numbers, line, pointer);
       return;
     }
     if (numbers.size() != 1) {
@@ -98,22 +113,48 @@ class Reader {
       return;
     }
     const double x = numbers[0];
+    const Range range = range_of(key, domain);
+    if (!(x >= range.least && x <= range.most)) refuse(x, range.allowed);
+  }
+
+  /// The numbers of a domain, and how messages put it.
+  struct Range {
+    double least, most;
+    const char* allowed;
+  };
+  static Range range_of(const std::string& key, Domain domain) {
+    constexpr double kLeast = std::numeric_limits<double>::denorm_min();  // above 0
+    constexpr double kMost = std::numeric_limits<double>::max();
     switch (domain) {
       case Domain::length:
-        if (!(x > 0 && std::isfinite(x))) refuse(x, "a limiting distance must be finite and above 0");
-        break;
+        return {kLeast, kMost,
+                key == "L" ? "a limiting distance must be finite and above 0"
+                           : "a radius must be finite and above 0"};
+      case Domain::rate:
+        return {kLeast, kMost, "a rate must be finite and above 0"};
+      case Domain::not_negative:
+        return {0, kMost, "it must be finite and at least 0"};
       case Domain::mass:
-        if (!(x > 0)) refuse(x, "a mass must be above 0, or inf");
-        break;
+        return {kLeast, HUGE_VAL, "a mass must be above 0, or inf"};
       case Domain::coefficient:
-        if (!(x >= 0 && x <= 1)) refuse(x, "a coefficient must be in [0, 1]");
-        break;
+        return {0, 1, "a coefficient must be in [0, 1]"};
+      case Domain::signed_coefficient:
+        return {-1, 1, "tangential restitution must be in [-1, 1]"};
       case Domain::angle:
-        if (!(x >= 1e-6 && x <= 90 - 1e-6)) refuse(x, "θ_revolve must be in [1e-6, 89.999999] degrees");
-        break;
+        return {1e-6, 90 - 1e-6, "θ_revolve must be in [1e-6, 89.999999] degrees"};
       default:
-        if (!std::isfinite(x)) refuse(x, "it must be finite");
+        return {-kMost, kMost, "it must be finite"};
     }
+  }
+
+  /// Scenes ask for 2^-50; a direction rounded to a half-precision number is one, too.
+  void check_length(const std::string& key, const std::vector<double>& numbers, std::size_t line,
+                    const std::string& pointer) {
+    const double length = numbers.size() == 2 ? std::hypot(numbers[0], numbers[1])
+                                              : std::hypot(numbers[0], numbers[1], numbers.at(2));
+    if (std::fabs(length - 1) <= 0x1p-10) return;
+    problems_.add(line, pointer,
+                  fmt::format("{} has the length {}; a direction has length 1, to 2^-10", key, length));
   }
 
   void check_dimension(const std::string& key, const std::vector<double>& numbers, std::size_t line,

@@ -83,6 +83,28 @@ const std::vector<Operation>& operations() {
        {"m_A", "m_B", "v_A", "v_B", "dp"},
        "equations",
        "docs/eq7.md"},
+      {Op::wall_time,
+       "wall_time",
+       "walls",
+       "at distance L of a plane and approaching",
+       {"u_A", "u_B", "v_A", "v_B", "L", "normal"},
+       "timing",
+       "docs/effects.md"},
+      {Op::drag_time,
+       "drag_time",
+       "drag",
+       "the time of the clock s under drag",
+       {"gamma", "s"},
+       "timing",
+       "docs/effects.md"},
+      {Op::rough_impulse,
+       "rough_impulse",
+       "friction",
+       "rebound of rough particles that turn",
+       {"u_A", "u_B", "v_A", "v_B", "spin_A", "spin_B", "m_A", "m_B", "R_A", "R_B", "c", "mu", "beta0"},
+       "response",
+       "docs/effects.md",
+       true},
   };
   return table;
 }
@@ -100,8 +122,22 @@ std::vector<std::string> operation_names() {
   return names;
 }
 
+std::string rule_name(const Operation& operation) {
+  const char* prefix = operation.equation.starts_with('(') ? "eq. " : "effect ";
+  return prefix + std::string(operation.equation);
+}
+
+bool is_timing(Op op) {
+  return op == Op::block_time || op == Op::tether_time || op == Op::wall_time || op == Op::drag_time;
+}
+
 Domain domain_of(std::string_view key) {
-  if (key == "L") return Domain::length;
+  if (key == "L" || key == "R_A" || key == "R_B") return Domain::length;
+  if (key == "normal") return Domain::direction;
+  if (key == "spin_A" || key == "spin_B") return Domain::spin;
+  if (key == "gamma") return Domain::rate;
+  if (key == "s" || key == "mu") return Domain::not_negative;
+  if (key == "beta0") return Domain::signed_coefficient;
   if (key == "m_A" || key == "m_B" || key == "m") return Domain::mass;
   if (key == "theta_revolve_deg") return Domain::angle;
   if (key == "dt" || key == "i" || key == "j") return Domain::number;

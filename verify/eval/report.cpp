@@ -48,8 +48,7 @@ nlohmann::ordered_json to_json(const std::vector<Quantity>& quantities) {
 
 std::string report_text(const Operation& operation, std::string_view scalar, const Report& report) {
   return report_text(
-      fmt::format("{}, eq. {}: {}; in {}", operation.name, operation.equation, operation.what, scalar),
-      report);
+      fmt::format("{}, {}: {}; in {}", operation.name, rule_name(operation), operation.what, scalar), report);
 }
 
 std::string report_text(std::string_view heading, const Report& report) {

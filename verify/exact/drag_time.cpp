@@ -78,4 +78,9 @@ bool is_nearest_drag_time(double gamma, const Dyadic& s, double start, double ro
          compare_drag_time(gamma, s, middle(std::nextafter(rounded, inf))) != Sign::positive;
 }
 
+Dyadic middle_of(double x, double y) {
+  const auto exactly = [](double a) { return std::isinf(a) ? Dyadic{1, 1024} : dyadic(a); };
+  return (exactly(x) + exactly(y)) * Dyadic{1, -1};
+}
+
 }  // namespace tps::exact

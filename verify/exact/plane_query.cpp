@@ -10,24 +10,6 @@
 namespace tps::exact {
 namespace {
 
-/// n·r − L and n·v as integers: the first in units of length times unit of the normal.
-struct LiftedPlane {
-  Integer gap, w;
-};
-
-LiftedPlane lifted_plane(const TimingQuery& query, const LiftUnits& units) {
-  // Components are not above 2 in size, but a unit may be.
-  int unit = 0;
-  for (const double component : query.normal) unit = std::min(unit, unit_of(component));
-  LiftedPlane plane{-(lifted(query.L, units.length) << static_cast<unsigned>(-unit)), 0};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Integer n = lifted(query.normal[k], unit);
-    plane.gap += n * (lifted(query.u_B[k], units.length) - lifted(query.u_A[k], units.length));
-    plane.w += n * (lifted(query.v_B[k], units.speed) - lifted(query.v_A[k], units.speed));
-  }
-  return plane;
-}
-
 Verdict verdict_of(Sign gap, Sign w) {
   if (w != Sign::negative) return Verdict::receding;
   if (gap == Sign::positive) return Verdict::hit;
@@ -58,6 +40,23 @@ std::optional<Verdict> verdict_in_double(const TimingQuery& query) {
 
 }  // namespace
 
+LiftedPlane lifted_plane(const TimingQuery& query, const LiftUnits& units) {
+  // Components are not above 2 in size, but a unit may be.
+  int unit = 0;
+  for (const double component : query.normal) unit = std::min(unit, unit_of(component));
+  LiftedPlane plane{-(lifted(query.L, units.length) << static_cast<unsigned>(-unit)), 0, unit};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Integer n = lifted(query.normal[k], unit);
+    plane.gap += n * (lifted(query.u_B[k], units.length) - lifted(query.u_A[k], units.length));
+    plane.w += n * (lifted(query.v_B[k], units.speed) - lifted(query.v_A[k], units.speed));
+  }
+  return plane;
+}
+
+Verdict plane_verdict_of(const LiftedPlane& plane) {
+  return verdict_of(sign_of(plane.gap), sign_of(plane.w));
+}
+
 Verdict plane_verdict(const TimingQuery& query, Counters& counters) {
   ++counters.verdict.calls;
   if (is_static(query)) return Verdict::static_pair;
@@ -66,7 +65,7 @@ Verdict plane_verdict(const TimingQuery& query, Counters& counters) {
   ++counters.verdict.exact;
   const LiftedPlane plane = lifted_plane(query, units_of(query));
   counters.largest_bits = std::max({counters.largest_bits, bits_of(plane.gap), bits_of(plane.w)});
-  return verdict_of(sign_of(plane.gap), sign_of(plane.w));
+  return plane_verdict_of(plane);
 }
 
 TPS_WITH_FMA std::optional<RefinedTime> refined_plane_time(const TimingQuery& query) {

@@ -10,6 +10,7 @@
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/certified/next_event_input.hpp"
+#include "verify/exact/rounded_drag_time.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/protocol/catalogue.hpp"
@@ -121,6 +122,15 @@ std::string timing(exact::Kind kind, const eval::Operation& operation, const Jso
   return timing_text(exact::rounded_time(input.query(), uncounted));
 }
 
+std::string drag(const eval::Operation& operation, const JsonValue& in, const Place& place) {
+  const eval::Input input = eval::read_value(operation, in, place.source, place.pointer);
+  const double gamma = input.values.at("gamma")[0], s = input.values.at("s")[0];
+  if (!exact::drag_clock_is_reached(gamma, s)) return R"({"verdict":"never","t":null})";
+  const exact::DragTime time = exact::rounded_drag_time(gamma, s);
+  return fmt::format(R"({{"verdict":"reached","t":{}{}}})", quoted_number(time.t),
+                     flag("unsettled", !time.settled));
+}
+
 std::string group(const JsonValue& in, const Place& place) {
   const certified::GroupInput input = read_group(in, place);
   try {
@@ -175,8 +185,8 @@ std::string answer(std::string_view name, const JsonValue& in, const std::string
   if (name == "next_event") return next_event(in, place);
   if (name == "simulate") return simulate(in, place);
   const eval::Operation& operation = *eval::find_operation(name);
-  if (operation.op == eval::Op::block_time) return timing(exact::Kind::block, operation, in, place);
-  if (operation.op == eval::Op::tether_time) return timing(exact::Kind::tether, operation, in, place);
+  if (const auto kind = certified::timing_kind(name)) return timing(*kind, operation, in, place);
+  if (operation.op == eval::Op::drag_time) return drag(operation, in, place);
   return response_text(
       certified::certified_response(operation.op, eval::read_value(operation, in, source, pointer)));
 }

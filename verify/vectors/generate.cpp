@@ -17,6 +17,9 @@ const std::vector<Stratum>& strata() {
     add_response_strata(made);
     add_group_strata(made);
     add_next_event_strata(made);
+    add_wall_strata(made);
+    add_drag_strata(made);
+    add_rough_strata(made);
     return made;
   }();
   return table;

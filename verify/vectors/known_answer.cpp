@@ -12,6 +12,7 @@
 #include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
 #include "verify/protocol/read_input.hpp"
+#include "verify/vectors/drag_proof.hpp"
 #include "verify/vectors/question.hpp"
 #include "verify/vectors/response_answer.hpp"
 #include "verify/vectors/time_bracket.hpp"
@@ -27,17 +28,20 @@ Json vector_of(const Vec3& x, int dimension) {
   return hex(std::vector<double>(x.begin(), x.begin() + dimension));
 }
 
+void add_bracket(const TimeBracket& b, Json& answer, Json& signs) {
+  answer["t"] = {hex(b.lo), hex(b.hi)};
+  answer["nearest"] = b.nearest == b.lo ? "lo" : "hi";
+  signs["lo"] = b.sign_lo;
+  signs["hi"] = b.sign_hi;
+  signs["mid"] = b.sign_mid;
+}
+
 Json timing_answer(const TimingQuery& query) {
   const TimingProof proof = prove(query);
   Json answer{{"verdict", name(proof.verdict)}};
   Json signs{{"A", proof.A}, {"B", proof.B}, {"C", proof.C}, {"D", proof.sign_D}};
   if (proof.bracket) {
-    const TimeBracket& b = *proof.bracket;
-    answer["t"] = {hex(b.lo), hex(b.hi)};
-    answer["nearest"] = b.nearest == b.lo ? "lo" : "hi";
-    signs["lo"] = b.sign_lo;
-    signs["hi"] = b.sign_hi;
-    signs["mid"] = b.sign_mid;
+    add_bracket(*proof.bracket, answer, signs);
   } else if (exact::at_once(proof.verdict)) {
     answer["t"] = {hex(0), hex(0)};
     answer["nearest"] = "lo";
@@ -46,6 +50,18 @@ Json timing_answer(const TimingQuery& query) {
   }
   answer["proof"] = signs;
   answer["cond"] = rounded_condition(condition(query, proof));
+  return answer;
+}
+
+Json drag_answer(const Json& in) {
+  const eval::Operation& operation = *eval::find_operation("drag_time");
+  const eval::Input input = eval::read_value(operation, question_value(in), kQuestion, "/in");
+  const DragProof proof = prove_drag_time(input.values.at("gamma")[0], input.values.at("s")[0]);
+  Json answer{{"verdict", proof.bracket ? "reached" : "never"}, {"t", nullptr}};
+  Json signs{{"z", proof.z}};
+  if (proof.bracket) add_bracket(*proof.bracket, answer, signs);
+  answer["proof"] = signs;
+  answer["cond"] = rounded_condition(proof.condition);
   return answer;
 }
 
@@ -102,23 +118,24 @@ std::vector<double> read_vector(const Json& value) {
 }
 
 Json timing_input(const TimingQuery& query, int dimension) {
-  return {{"u_A", vector_of(query.u_A, dimension)},
+  Json in{{"u_A", vector_of(query.u_A, dimension)},
           {"u_B", vector_of(query.u_B, dimension)},
           {"v_A", vector_of(query.v_A, dimension)},
           {"v_B", vector_of(query.v_B, dimension)},
           {"L", hex(query.L)}};
+  if (query.kind == Kind::plane) in["normal"] = vector_of(query.normal, dimension);
+  return in;
 }
 
 TimingQuery read_timing_input(Kind kind, const Json& in) {
-  const char* op = kind == Kind::block ? "block_time" : "tether_time";
-  const eval::Operation& operation = *eval::find_operation(op);
+  const eval::Operation& operation = *eval::find_operation(certified::operation_of(kind));
   return certified::TimingInput{kind, eval::read_value(operation, question_value(in), kQuestion, "/in")}
       .query();
 }
 
 Json known_answer(std::string_view op, const Json& in) {
-  if (op == "block_time") return timing_answer(read_timing_input(Kind::block, in));
-  if (op == "tether_time") return timing_answer(read_timing_input(Kind::tether, in));
+  if (const auto kind = certified::timing_kind(op)) return timing_answer(read_timing_input(*kind, in));
+  if (op == "drag_time") return drag_answer(in);
   if (op == "order") return order_answer(in);
   return response_answer(op, in);
 }
@@ -126,7 +143,7 @@ Json known_answer(std::string_view op, const Json& in) {
 std::vector<std::string> accepted_by(std::string_view op) {
   if (op == "order") return {"R"};
   if (op == "group") return {"R", "K(64)"};
-  return {"R", op == "block_time" || op == "tether_time" ? "K(8)" : "K(16)"};
+  return {"R", op.ends_with("_time") ? "K(8)" : "K(16)"};
 }
 
 }  // namespace tps::vectors

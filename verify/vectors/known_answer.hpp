@@ -22,7 +22,8 @@ Json rounded_condition(const std::optional<double>& condition);
 double read_number(const Json& value);
 std::vector<double> read_vector(const Json& value);
 
-/// The "in" of block_time and tether_time, and back. A query of the plane is written with 2 components.
+/// The "in" of block_time, tether_time and wall_time, and back. A query of the plane is written with 2
+/// components.
 Json timing_input(const exact::TimingQuery& query, int dimension);
 exact::TimingQuery read_timing_input(exact::Kind kind, const Json& in);
 

@@ -38,8 +38,8 @@ class Sizes {
   Sizes(eval::Op op, const eval::Input& input, const certified::Response& response)
       : op_(op), input_(input), response_(response) {}
 
-  double vector(const char* key) const { return size(input_.values.at(key)); }
-  double number(const char* key) const { return input_.values.at(key)[0]; }
+  double vector(const std::string& key) const { return size(input_.values.at(key)); }
+  double number(const std::string& key) const { return input_.values.at(key)[0]; }
   double speed() const { return size(difference(input_.values.at("v_B"), input_.values.at("v_A"))); }
   double mu() const { return 1 / (1 / number("m_A") + 1 / number("m_B")); }
 
@@ -89,17 +89,57 @@ class Sizes {
   const certified::Response& response_;
 };
 
+/// Of rough_impulse: of Δp, and of what turns the particles.
+struct RoughTerms {
+  double whole, across;
+};
+
+/// With G = |v_AB| + R_A|ω_A| + R_B|ω_B|: eq. (4) has the terms (1 + c) m |v_AB|; of the smaller limit of
+/// friction, holding surfaces take κ (1 + β₀) m G and sliding ones μ of eq. (4)'s and G/|g_t| of J_t for its
+/// direction. Each twice: docs/effects.md counts up to 18 and 36 roundings of a term.
+RoughTerms rough_terms(const Sizes& sizes, const eval::Input& input, const certified::Response& response) {
+  const double G = sizes.speed() + sizes.number("R_A") * sizes.vector("spin_A") +
+                   sizes.number("R_B") * sizes.vector("spin_B");
+  const double normal = (1 + sizes.number("c")) * sizes.mu() * sizes.speed();
+  const double kappa = input.dimension == 2 ? 1.0 / 3 : 2.0 / 7;
+  const double factor = kappa * (1 + sizes.number("beta0")) * sizes.mu();
+  double across = 2 * factor * G;
+  if (response.kind == "slides") {
+    // J_t = μ |J_n| < factor |g_t|: its direction costs J_t G/|g_t| < factor G.
+    across += 2 * sizes.number("mu") * normal;
+  }
+  return {2 * normal + across, across};
+}
+
+Json rough_conditions(const Sizes& sizes, const eval::Input& input, const certified::Response& response) {
+  const RoughTerms terms = rough_terms(sizes, input, response);
+  const double K = input.dimension == 2 ? 0.5 : 0.4;
+  Json result;
+  for (const auto& [key, components] : response.values) {
+    const std::string side = key.substr(key.size() - 1);
+    double size_of_terms = terms.whole;
+    if (key != "dp") {
+      const bool is_spin = key.starts_with("spin");
+      const double pushed = is_spin ? terms.across / (K * sizes.number("R_" + side)) : terms.whole;
+      size_of_terms = sizes.vector(key) + pushed / sizes.number("m_" + side);
+    }
+    result[key] = three_digits(size_of_terms, size(components));
+  }
+  return result;
+}
+
 }  // namespace
 
 Json conditions(eval::Op op, const eval::Input& input, const certified::Response& response) {
   const Sizes sizes(op, input, response);
+  if (op == eval::Op::rough_impulse) return rough_conditions(sizes, input, response);
   Json result;
   for (const auto& [key, components] : response.values) {
     double terms = 0;
     if (key == "dp") {
       terms = sizes.impulse_terms();
     } else if (key == "v_A" || key == "v_B") {
-      terms = sizes.vector(key.c_str()) + sizes.impulse_terms() / sizes.number(key == "v_A" ? "m_A" : "m_B");
+      terms = sizes.vector(key) + sizes.impulse_terms() / sizes.number(key == "v_A" ? "m_A" : "m_B");
     } else if (key == "v_load") {
       terms = sizes.mu() *
               (sizes.vector("v_A") / sizes.number("m_B") + sizes.vector("v_B") / sizes.number("m_A"));

@@ -38,5 +38,8 @@ void add_order_strata(std::vector<Stratum>& strata);
 void add_response_strata(std::vector<Stratum>& strata);
 void add_group_strata(std::vector<Stratum>& strata);
 void add_next_event_strata(std::vector<Stratum>& strata);
+void add_wall_strata(std::vector<Stratum>& strata);
+void add_drag_strata(std::vector<Stratum>& strata);
+void add_rough_strata(std::vector<Stratum>& strata);
 
 }  // namespace tps::vectors

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "verify/exact/lifted_query.hpp"
+#include "verify/exact/plane_time.hpp"
 #include "verify/exact/rounded_time.hpp"
 
 namespace tps::vectors {
@@ -44,7 +45,9 @@ int sign(const Integer& x) {
 class Branch {
  public:
   Branch(exact::Kind kind, Verdict verdict, const LiftedQuadratic& q)
-      : q_(q), linear_(verdict == Verdict::turning), larger_(kind == exact::Kind::tether) {}
+      : q_(q),
+        linear_(verdict == Verdict::turning || kind == exact::Kind::plane),
+        larger_(kind == exact::Kind::tether) {}
 
   int sign_at(const DyadicTime& x) const {
     const auto [m, up, down] = lifted(x);
@@ -103,9 +106,38 @@ std::string text(const Integer& x, int exponent) {
   return x == 0 ? "0x0p+0" : out.str();
 }
 
+void check_filter(Verdict verdict, const exact::TimingAnswer& filtered) {
+  if (filtered.verdict != verdict) throw std::logic_error("a filter's verdict contradicts the integers");
+}
+
+TimingProof prove_plane(const exact::TimingQuery& query) {
+  const exact::LiftUnits units = exact::units_of(query);
+  const exact::LiftedPlane plane = exact::lifted_plane(query, units);
+  const Verdict verdict = exact::is_static(query) ? Verdict::static_pair : exact::plane_verdict_of(plane);
+  TimingProof proof{verdict,
+                    text(0, 0),
+                    text(-plane.w, units.speed + plane.unit),
+                    text(-plane.gap, units.length + plane.unit),
+                    plane.w == 0 ? 0 : 1,
+                    std::nullopt};
+  exact::Counters counters;
+  const exact::TimingAnswer filtered = exact::rounded_time(query, counters);
+  check_filter(verdict, filtered);
+  if (verdict == Verdict::hit) {
+    const LiftedQuadratic line{-plane.w, -plane.gap, 0, 0, units.length - units.speed};
+    proof.bracket = bracket(Branch(query.kind, verdict, line), *filtered.t);
+  }
+  return proof;
+}
+
 }  // namespace
 
+std::string dyadic_text(const Dyadic& x) {
+  return text(Integer(x.digits), static_cast<int>(x.exponent));
+}
+
 TimingProof prove(const exact::TimingQuery& query) {
+  if (query.kind == exact::Kind::plane) return prove_plane(query);
   const exact::LiftUnits units = exact::units_of(query);
   const LiftedQuadratic q = exact::lifted_quadratic(query, units);
   const Verdict verdict = exact::is_static(query) ? Verdict::static_pair : exact::verdict_of(query.kind, q);
@@ -117,7 +149,7 @@ TimingProof prove(const exact::TimingQuery& query) {
                     std::nullopt};
   exact::Counters counters;
   const exact::TimingAnswer filtered = exact::rounded_time(query, counters);
-  if (filtered.verdict != verdict) throw std::logic_error("a filter's verdict contradicts the integers");
+  check_filter(verdict, filtered);
   if (exact::occurs(verdict) && !exact::at_once(verdict)) {
     proof.bracket = bracket(Branch(query.kind, verdict, q), *filtered.t);
   }
@@ -128,6 +160,17 @@ std::optional<double> condition(const exact::TimingQuery& query, const TimingPro
   if (!proof.bracket || std::isinf(proof.bracket->nearest) || proof.bracket->nearest == 0)
     return std::nullopt;
   using Wide = long double;  // its exponents hold every product here
+  if (query.kind == exact::Kind::plane) {
+    Wide gap = -Wide(query.L), gap_terms = query.L, w = 0, w_terms = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Wide of_r = query.normal[k] * (Wide(query.u_B[k]) - Wide(query.u_A[k]));
+      const Wide of_v = query.normal[k] * (Wide(query.v_B[k]) - Wide(query.v_A[k]));
+      gap += of_r, gap_terms += std::fabs(of_r);
+      w += of_v, w_terms += std::fabs(of_v);
+    }
+    const Wide cond = gap_terms / std::fabs(gap) + w_terms / std::fabs(w);
+    return std::isfinite(cond) ? std::optional(static_cast<double>(cond)) : std::nullopt;
+  }
   Wide a = 0, H = 0, h = 0, r_squared = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Wide r = Wide(query.u_B[k]) - Wide(query.u_A[k]);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "reference/equations/dyadic.hpp"
 #include "verify/exact/timing_query.hpp"
 #include "verify/exact/verdict.hpp"
 
@@ -13,7 +14,8 @@ namespace tps::vectors {
 /// stands for 2^1024 where a sign is taken; the ones around an underflowing time are 0 and the smallest
 /// subnormal.
 ///
-/// The polynomial is a t² + 2 h t + c; for a `turning` it is a t + h, whose zero is closest approach.
+/// The polynomial is a t² + 2 h t + c; for a `turning` it is a t + h, whose zero is closest approach; of a
+/// plane it is −n·v t + L − n·r, how far the particle is beyond the limit.
 /// Laws: (1) `nearest` is lo or hi, whichever is the correctly rounded time; (2) the signs at lo and hi, with
 /// the branch that the verdict names, prove the bracket, and the sign at the midpoint proves `nearest`.
 struct TimeBracket {
@@ -30,13 +32,16 @@ struct TimingProof {
   std::optional<TimeBracket> bracket;
 };
 
+/// "0x1a3p-104".
+std::string dyadic_text(const Dyadic& x);
+
 /// Decided by integers; the filters of verify/exact answer too, and are judged by them.
 /// REQUIRES valid(query). Throws std::logic_error if a filtered verdict or time contradicts the integers.
 TimingProof prove(const exact::TimingQuery& query);
 
 /// How much a relative error u in every coefficient changes t, in units of u:
-/// (a t² + 2 Σ|r_k v_k| t + |r|² + L²) / (2 t √D) at a root, Σ|r_k v_k| / |h| at a `turning`. Absent at t = 0
-/// and beyond the doubles.
+/// (a t² + 2 Σ|r_k v_k| t + |r|² + L²) / (2 t √D) at a root, Σ|r_k v_k| / |h| at a `turning`, (Σ|n_k r_k| +
+/// L) / (n·r − L) + Σ|n_k v_k| / |n·v| at a plane. Absent at t = 0 and beyond the doubles.
 std::optional<double> condition(const exact::TimingQuery& query, const TimingProof& proof);
 
 }  // namespace tps::vectors
