@@ -47,6 +47,8 @@ RunVerdict drags(const Scene& scene, Simulator& simulator) {
   if (slow.events.size() > free.events.size())
     return RunVerdict::broken("drag makes " + std::to_string(slow.events.size() - free.events.size()) +
                               " events more");
+  const Real last = -std::expm1(-Real(gamma) * Real(scene.duration)) / Real(gamma);
+  const Real u = digits == 24 ? std::ldexp(Real(1), -24) : std::ldexp(Real(1), -53);
   for (std::size_t n = 0; n < slow.events.size(); ++n) {
     TracedEvent event = slow.events[n];
     const Real s = event.t.hi + event.t.lo;
@@ -54,13 +56,12 @@ RunVerdict drags(const Scene& scene, Simulator& simulator) {
     if (!event.time) return RunVerdict::broken(place + "drag, and no clock s");
     if (!is_time_of(s, *event.time, gamma, digits))
       return RunVerdict::broken(place + "t is not -ln(1 - gamma s)/gamma");
+    if (s > last * (1 + 4 * u)) return RunVerdict::broken(place + "happens behind the end of s(T)");
     event.time.reset();
     if (event != free.events[n]) return RunVerdict::broken(place + "is another one than without drag");
   }
   if (slow.end != "duration" || slow.events.size() == free.events.size()) return {};
   const Instant& next = free.events[slow.events.size()].t;
-  const Real last = -std::expm1(-Real(gamma) * Real(scene.duration)) / Real(gamma);
-  const Real u = digits == 24 ? std::ldexp(Real(1), -24) : std::ldexp(Real(1), -53);
   if (next.hi + next.lo < last * (1 - 4 * u))
     return RunVerdict::broken("an event before the end of s(T) is missing");
   return {};
@@ -167,7 +168,7 @@ RunVerdict rubs(const Scene& scene, Simulator& simulator) {
   return RunVerdict::of(first_fault(
       scene, simulator, [&](const Replay&, const TracedEvent& event) -> std::optional<std::string> {
         if (event.kind != "rebound") return std::nullopt;
-        const auto [first, second] = std::minmax(species_of(*event.i), species_of(*event.j));
+        const auto [first, second] = std::minmax({species_of(*event.i), species_of(*event.j)});
         const auto law = std::ranges::find_if(scene.pairs, [&](const PairLaw& pair) {
           return pair.species_a == first && pair.species_b == second && pair.friction;
         });

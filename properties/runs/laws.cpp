@@ -11,8 +11,9 @@ namespace tps::properties::runs {
 const std::vector<RunLaw>& run_laws() {
   static const std::vector<RunLaw> laws = [] {
     std::vector<RunLaw> all;
-    for (const auto& subject : {response_laws, flight_laws, tether_laws, group_laws, symmetry_laws,
-                                continuation_laws, orbit_laws, contact_laws, effect_laws}) {
+    for (const auto& subject :
+         {response_laws, flight_laws, tether_laws, group_laws, symmetry_laws, continuation_laws, orbit_laws,
+          contact_laws, effect_laws, wall_laws, box_laws}) {
       const std::vector<RunLaw> more = subject();
       all.insert(all.end(), more.begin(), more.end());
     }

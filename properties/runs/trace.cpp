@@ -78,6 +78,8 @@ TracedEvent event_of(const JsonValue& json, std::size_t line) {
   if (const JsonValue* tether = json.find("tether")) e.tether = text(*tether, line);
   if (const JsonValue* draw = json.find("draw")) e.draw = read_real(text(*draw, line));
   if (const JsonValue* phase = json.find("phase")) e.phase = integer<int>(*phase, line);
+  if (const JsonValue* wall = json.find("wall")) e.wall = integer<std::size_t>(*wall, line);
+  if (const JsonValue* face = json.find("face")) e.face = integer<int>(*face, line);
   return e;
 }
 

@@ -35,6 +35,8 @@ struct TracedEvent {
   std::string tether;               ///< "formed", "broken" or empty
   std::optional<Real> draw;
   int phase = -1;
+  std::optional<std::size_t> wall = {};  ///< of the scene, at a wall
+  std::optional<int> face = {};          ///< of a box
 
   bool is_collision() const { return kind == "rebound" || kind == "retract" || kind == "revolve"; }
   bool is_load() const { return !members.empty(); }

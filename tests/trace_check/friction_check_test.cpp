@@ -124,6 +124,42 @@ TEST(Friction, LiesAreTold) {
   }
 }
 
+/// The run as a program would write it that records no more than it must, with its spins or without.
+std::string minimal(const testing::TracedRun& run, bool spins) {
+  std::string bytes;
+  for (const std::string& text : run.lines) {
+    const json line = json::parse(text);
+    json told;
+    if (line.contains("trace")) {
+      told = {{"trace", 1}, {"form", "minimal"}, {"scalar", line["scalar"]}, {"scene", line["scene"]}};
+      told["positions"] = "lazy";
+    } else if (line.contains("kind")) {
+      for (const char* key : {"t", "kind", "i", "j", "wall", "face"})
+        if (line.contains(key)) told[key] = line[key];
+      for (const auto& [id, particle] : line["post"].items()) {
+        told["post"][id]["velocity"] = particle["velocity"];
+        if (spins && particle.contains("spin")) told["post"][id]["spin"] = particle["spin"];
+      }
+    } else if (line.contains("end")) {
+      told = line;
+    } else {
+      continue;
+    }
+    bytes += told.dump() + "\n";
+  }
+  return bytes;
+}
+
+TEST(Friction, AMinimalTraceHasItsSpins) {
+  const testing::TracedRun run = testing::traced(busy(1));
+  const check::CheckReport with = checked(minimal(run, true));
+  EXPECT_TRUE(with.conforming()) << first_finding(with);
+  const check::CheckReport without = checked(minimal(run, false));
+  EXPECT_GT(violated(without, check::Rule::schema), 0U);
+  EXPECT_NE(first_finding(without).find("\"spin\" in \"post\" is missing"), std::string::npos)
+      << first_finding(without);
+}
+
 // Spins where nothing turns them, and friction of another pair.
 TEST(Friction, NothingTurnsWithoutIt) {
   const testing::TracedRun run = testing::traced(busy(2));

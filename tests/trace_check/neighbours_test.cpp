@@ -45,8 +45,14 @@ struct Flying {
   }
 };
 
-double distance(const Coordinates& a, const Coordinates& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+/// To the nearest image, where there are edges.
+double distance(const Scene& scene, const Coordinates& a, const Coordinates& b) {
+  Coordinates r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[k] = a[k] - b[k];
+    if (scene.box && std::isfinite(scene.box->edges[k])) r[k] = std::remainder(r[k], scene.box->edges[k]);
+  }
+  return std::hypot(r[0], r[1], r[2]);
 }
 
 /// Follows a crowd whose members change course at random times. Whenever an anchor ends, everybody who came
@@ -55,8 +61,9 @@ struct Followed {
   int meetings = 0, missed = 0, asked = 0, looked_at = 0;
 };
 
-Followed follow(int count, int dimension, double speed, int length = 0, double start = 0) {
-  const Scene scene = crowd(count, dimension, length);
+Followed follow(const Scene& scene, double speed, int length = 0, double start = 0) {
+  const int count = static_cast<int>(scene.particles.size());
+  const int dimension = scene.dimension;
   Neighbours neighbours(scene);
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal(0, std::ldexp(speed, length));
@@ -90,7 +97,7 @@ Followed follow(int count, int dimension, double speed, int length = 0, double s
       bool met = false;
       for (int step = 0; step <= 8; ++step) {
         const double t = from + (now - from) * step / 8;
-        met = met || distance(f.at(t), g.at(t)) < limit(i, j);
+        met = met || distance(scene, f.at(t), g.at(t)) < limit(i, j);
       }
       if (!met) continue;
       ++followed.meetings;
@@ -116,6 +123,18 @@ Followed follow(int count, int dimension, double speed, int length = 0, double s
   return followed;
 }
 
+Followed follow(int count, int dimension, double speed, int length = 0, double start = 0) {
+  return follow(crowd(count, dimension, length), speed, length, start);
+}
+
+/// Round two axes, open along the last of three.
+Scene boxed(int count, int dimension) {
+  Scene scene = crowd(count, dimension);
+  const double edge = std::pow(count, 1.0 / dimension) * 2;
+  scene.box = PeriodicEdges{{edge, edge * 1.25, HUGE_VAL}};
+  return scene;
+}
+
 class Crowds : public testing::TestWithParam<std::tuple<int, int, double>> {};
 
 TEST_P(Crowds, NobodyIsMissed) {
@@ -139,6 +158,16 @@ TEST(Neighbours, MissNobodyAtAnyMagnitude) {
     const Followed followed = follow(120, 3, start > 0x1p50 ? 4 : 1, length, start);
     EXPECT_EQ(followed.missed, 0) << length << ' ' << start;
     EXPECT_GT(followed.meetings, 20) << length << ' ' << start;
+  }
+}
+
+// Particles fly on for many edges; images are met across each.
+TEST(Neighbours, MissNoImageInAPeriodicBox) {
+  for (const auto& [dimension, speed] : {std::pair(2, 1.), std::pair(3, 30.)}) {
+    const Followed followed = follow(boxed(150, dimension), speed);
+    EXPECT_EQ(followed.missed, 0) << dimension;
+    EXPECT_GT(followed.meetings, 50) << dimension;
+    EXPECT_LT(followed.looked_at, 100 * followed.asked) << dimension;
   }
 }
 

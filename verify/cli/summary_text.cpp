@@ -93,13 +93,36 @@ void write_final(Text out, const RunSummary& s) {
 
 }  // namespace
 
+namespace {
+
+/// What a scene has that no group can be part of, where its run shows it: then grouping is no advice.
+const char* refuses_grouping(const RunSummary& s) {
+  if (s.by_kind.contains("wall")) return "walls";
+  if (s.by_kind.contains("thermostat")) return "a thermostat";
+  if (s.drag_taken) return "drag";
+  return s.spin ? "friction" : nullptr;
+}
+
+}  // namespace
+
 std::string stall_message(const RunSummary& s) {
+  std::string remedy =
+      "give the scene \"grouping\" with a small \"dt_restitute\", or run with a wider --scalar.";
+  if (const char* refused = refuses_grouping(s)) {
+    remedy = fmt::format(
+        "raise the restitution, or run with a wider --scalar, or end earlier with --until; \"grouping\", "
+        "which "
+        "ends a collapse, is not defined with {}.",
+        refused);
+    if (refused == std::string_view("walls"))
+      remedy +=
+          " In the place of the inside of a sphere a permanent tether to an infinite mass may hold the "
+          "particles.";
+  }
   return fmt::format(
       "the clock stood still at t = {:.9g} over the last events, between particles {}. An inelastic "
-      "collapse, or "
-      "its finite number of collisions is beyond this scalar: give the scene \"grouping\" with a small "
-      "\"dt_restitute\", or run with a wider --scalar.",
-      s.t, printable(fmt::format("{}", fmt::join(s.stalled_on, ", "))));
+      "collapse, or its finite number of collisions is beyond this scalar: {}",
+      s.t, printable(fmt::format("{}", fmt::join(s.stalled_on, ", "))), remedy);
 }
 
 std::string range_message(const RunSummary& s) {
@@ -116,7 +139,9 @@ std::string rounding_note(const RunSummary& s) {
       "{} of the rebounds, the first at event {}, approached more slowly than {} can tell: the number of "
       "collisions is not to be trusted from there on; {}",
       s.noise, s.first_noise, s.scalar,
-      widest ? "give the scene \"grouping\"" : "compare a wider --scalar, or give the scene \"grouping\"");
+      refuses_grouping(s) != nullptr ? (widest ? "no scalar is wider" : "compare a wider --scalar")
+      : widest                       ? "give the scene \"grouping\""
+                                     : "compare a wider --scalar, or give the scene \"grouping\"");
 }
 
 bool conserves(const RunSummary& s) {

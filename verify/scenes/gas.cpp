@@ -47,10 +47,7 @@ double membrane_radius(int particles, double density) {
   return radius + 0x1p-10;
 }
 
-}  // namespace
-
-Scene build_gas(const GasParams& params) {
-  if (params.walls != 0 || params.periodic != 0) return build_gas_in_cube(params);
+Scene build_gas_in_membrane(const GasParams& params) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double radius = membrane_radius(params.particles, params.density);
   const auto needed = static_cast<std::size_t>(params.particles);
@@ -101,6 +98,20 @@ Scene build_gas(const GasParams& params) {
   return with_thermal_velocities(scene, params.temperature);
 }
 
+}  // namespace
+
+Scene build_gas(const GasParams& params) {
+  if (params.drag > 0 && params.grouped > 0)
+    throw std::invalid_argument(
+        "--drag and --grouped: dt_restitute is a time, and where it ends on the clock of drag depends on "
+        "when it "
+        "begins; choose one");
+  const bool in_cube = params.walls != 0 || params.periodic != 0;
+  Scene scene = in_cube ? build_gas_in_cube(params) : build_gas_in_membrane(params);
+  if (params.drag > 0) scene.drag = Drag{params.drag};
+  return scene;
+}
+
 SceneBuilder gas_builder() {
   using P = GasParams;
   return make_builder<P>(
@@ -114,6 +125,7 @@ SceneBuilder gas_builder() {
         "dt_restitute of grouping, well below a mean free time; 0: no grouping"},
        {"periodic", &P::periodic, from_to(0, 1), "1: in a periodic cube instead of the membrane"},
        {"walls", &P::walls, from_to(0, 1), "1: in a cube of walls instead of the membrane"},
+       {"drag", &P::drag, from_to(0, 1e6), "γ of a drag on all; 0: none"},
        {"duration", &P::duration, above(0), "time simulated"},
        {"seed", &P::seed, {}, "of the start velocities"}},
       &build_gas);

@@ -16,6 +16,7 @@ struct GasParams {
   double grouped = 0;
   int periodic = 0;  ///< 1: in a periodic cube instead of the membrane
   int walls = 0;     ///< 1: in a cube of walls instead of the membrane
+  double drag = 0;   ///< γ; 0: none
   double duration = 10;
   std::uint64_t seed = 1;
 };
@@ -38,7 +39,7 @@ GasParams gas_of(const Params& params) {
 /// the volume of the membrane's ball, whose radius is the smallest multiple of 1/1024 with at most that
 /// density. The membrane is a particle of infinite mass and a permanent tether, elastic. Its retraction is
 /// specular while a sphere meets it at more than theta = 0.01° from the tangent. Throws std::invalid_argument
-/// when so many spheres do not fit at that density.
+/// when so many spheres do not fit at that density, or drag is asked for beside grouping.
 Scene build_gas(const GasParams& params);
 
 /// The same in a cube, [0, edge] along each axis, whose edge is the smallest multiple of 1/1024 with at most

@@ -17,7 +17,7 @@ SceneBuilder granular_builder() {
   using P = GranularParams;
   return make_builder<P>(
       "granular", "inelastic spheres that cool in an elastic spherical membrane",
-      {{"particles", &P::particles, from_to(1, 100000), "spheres"},
+      {{"particles", &P::particles, from_to(1, 1000000), "spheres"},
        {"density", &P::density, from_to(1e-6, 1), "spheres over the volume of the membrane"},
        {"temperature", &P::temperature, from_to(1e-6, 1e6), "kT of the start velocities"},
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},

@@ -20,7 +20,7 @@ SceneBuilder rough_builder() {
   using P = RoughParams;
   return make_builder<P>(
       "rough", "rough spheres that turn each other in a spherical membrane",
-      {{"particles", &P::particles, from_to(1, 100000), "spheres"},
+      {{"particles", &P::particles, from_to(1, 1000000), "spheres"},
        {"density", &P::density, from_to(1e-6, 1), "spheres over the volume of the membrane"},
        {"temperature", &P::temperature, from_to(1e-6, 1e6), "kT of the start velocities"},
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},

@@ -58,7 +58,6 @@ void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
 template <typename Number>
 void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
                                      const Happening<Number>& happening) {
-  if (model_.edges) return judge_with_everybody(i, until, happening);
   for (const int j : neighbours_.near(i)) judge_meeting(i, j, until, happening);
   for (const int j : model_.tethers[Model<Number>::at(i)]) judge_meeting(i, j, until, happening);
   for (const int j : permanent_[Model<Number>::at(i)]) judge_meeting(i, j, until, happening);
@@ -93,7 +92,6 @@ void Checker<Number>::judge_with_everybody(int i, const Instant<Number>& until,
 /// so it costs at most twice what the cheaper way does.
 template <typename Number>
 void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happening<Number>& happening) {
-  if (model_.edges) return;  // everybody is asked about everybody
   const double end = static_cast<double>(until.hi);
   std::vector<int> looked;
   while (const auto expired = neighbours_.expiry_until(end)) {

@@ -103,6 +103,21 @@ void Neighbours::choose_cells(const Scene& scene) {
   cell_ = std::max(1.5 * reach_, spacing(scene, short_reaching_));
   slack_ = (cell_ * (1 - margin_) - reach_) / 2;
   in_cells_ = slack_ > 0 && cell_ > kSmallestCell && cell_ < kLargestCell;
+  sides_.fill(cell_);
+  if (in_cells_ && scene.box) fit_cells_to_box(scene);
+}
+
+/// As many cells along a periodic axis as fit. With fewer than three somebody would be on both sides.
+void Neighbours::fit_cells_to_box(const Scene& scene) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
+    const double edge = scene.box->edges[k];
+    if (std::isinf(edge)) continue;
+    const double count = std::min(std::floor(edge / cell_), 0x1p20);
+    in_cells_ = in_cells_ && count >= 3;
+    edges_[k] = edge;
+    sides_[k] = edge / count;
+    around_[k] = static_cast<std::int32_t>(count);
+  }
 }
 
 void Neighbours::remove(int i) {
@@ -128,9 +143,14 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
   const double last_cell = margin_ / (32 * u_);
   bool is_somewhere = anchor.expires > now;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double place = std::floor(position[k] / cell_);
-    is_somewhere = is_somewhere && std::fabs(place) < last_cell;
+    const bool is_periodic = around_[k] > 0;
+    is_somewhere = is_somewhere && std::fabs(position[k] / sides_[k]) < last_cell;
+    const double x =
+        is_periodic ? position[k] - edges_[k] * std::floor(position[k] / edges_[k]) : position[k];
+    const double place = std::floor(x / sides_[k]);
     anchor.cell[k] = is_somewhere ? static_cast<std::int32_t>(place) : 0;
+    // Rounding may put a place on the edge itself, or just below 0.
+    if (is_periodic) anchor.cell[k] = std::clamp(anchor.cell[k], 0, around_[k] - 1);
   }
   if (!is_somewhere) {
     anchor.loose = true;
@@ -175,7 +195,11 @@ const std::vector<int>& Neighbours::near(int i) {
   for (std::int32_t x = -1; x <= 1; ++x) {
     for (std::int32_t y = -1; y <= 1; ++y) {
       for (std::int32_t z = -deep; z <= deep; ++z) {
-        const auto cell = cells_.find({anchor.cell[0] + x, anchor.cell[1] + y, anchor.cell[2] + z});
+        Cell place{anchor.cell[0] + x, anchor.cell[1] + y, anchor.cell[2] + z};
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (around_[k] > 0) place[k] = (place[k] + around_[k]) % around_[k];
+        }
+        const auto cell = cells_.find(place);
         if (cell == cells_.end()) continue;
         found_.insert(found_.end(), cell->second.begin(), cell->second.end());
       }

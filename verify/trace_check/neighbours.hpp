@@ -15,7 +15,8 @@ namespace tps::check {
 
 /// A particle is within `slack` of its anchor until the anchor expires, and 4 u of that time longer. Law:
 /// particles whose anchors are not near each other have not come within a blocking distance since the later
-/// of the two was set, whatever their positions, velocities and times.
+/// of the two was set, whatever their positions, velocities and times. In a periodic box no image has: a
+/// whole number of cells, three at least, goes round each periodic axis.
 class Neighbours {
  public:
   /// Positions and times are those of a run with the unit roundoff u.
@@ -65,6 +66,7 @@ class Neighbours {
 
   void divide(const Scene& scene);
   void choose_cells(const Scene& scene);
+  void fit_cells_to_box(const Scene& scene);
   void remove(int i);
   void forget_old_expiries();
 
@@ -73,10 +75,12 @@ class Neighbours {
   std::vector<int> far_reaching_, short_reaching_, everyone_;
   double reach_ = 0;
   double u_;
-  double margin_;          ///< part of a cell that pays for rounding
-  bool in_cells_ = false;  ///< else everybody is near everybody
-  double cell_ = 0;        ///< side of a cell
-  double slack_ = 0;       ///< how far a particle may be from its anchor
+  double margin_;                            ///< part of a cell that pays for rounding
+  bool in_cells_ = false;                    ///< else everybody is near everybody
+  double cell_ = 0;                          ///< least side of a cell
+  std::array<double, 3> sides_{}, edges_{};  ///< of a cell; of the periodic box
+  std::array<std::int32_t, 3> around_{};     ///< cells along a periodic axis; 0: the axis is open
+  double slack_ = 0;                         ///< how far a particle may be from its anchor
   std::vector<Anchor> anchors_;
   std::vector<int> loose_;
   std::unordered_map<Cell, std::vector<int>, HashOfCell> cells_;

@@ -20,7 +20,6 @@ template <typename Number>
 void judge_spins_listed(const Context<Number>& c, const EventLine<Number>& event) {
   const Model<Number>& model = c.model;
   const bool rubs = event.kind == Kind::rebound && event.j >= 0 && model.rules.of(event.i, event.j).rubs;
-  const bool moved = event.dp ? !(*event.dp == Vec<Number>{}) : false;
   for (const InvolvedParticle<Number>& p : event.involved) {
     const bool turns = rubs && model.keeps_spin(p.particle);
     if (!turns && !p.spin_before && !p.spin_after) continue;
@@ -39,10 +38,16 @@ void judge_spins_listed(const Context<Number>& c, const EventLine<Number>& event
                                     model.id(p.particle), found, right);
           });
     }
-    if (turns && moved && !c.minimal) {
-      c.tally.demand(Rule::schema, p.spin_before && p.spin_after && event.sticks, [&](Finding& f) {
+    const bool moved =
+        event.dp ? !(*event.dp == Vec<Number>{}) : !(p.velocity_after == model.flight(p.particle).velocity);
+    if (turns && moved) {
+      // A minimal trace may leave out what follows from the events before; a spin after friction does not.
+      const bool is_whole = p.spin_after && (c.minimal || (p.spin_before && event.sticks));
+      c.tally.demand(Rule::schema, is_whole, [&](Finding& f) {
         f.particles = {model.id(p.particle)};
-        f.message = "friction acts: \"spin\" before and after and \"contact\" are missing";
+        f.message =
+            c.minimal ? "friction acts: \"spin\" in \"post\" is missing, by which the next rebound is judged"
+                      : "friction acts: \"spin\" before and after and \"contact\" are missing";
       });
     }
   }

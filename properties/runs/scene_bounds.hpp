@@ -1,0 +1,34 @@
+// Where the particles of a scene start, from the lowest to the highest coordinate.
+#pragma once
+
+#include <algorithm>
+
+#include "properties/runs/judge.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace tps::properties::runs {
+
+inline std::size_t at(int k) {
+  return static_cast<std::size_t>(k);
+}
+
+inline Point point_of(const Coordinates& x) {
+  return {x[0], x[1], x[2]};
+}
+
+struct Bounds {
+  Coordinates low{}, high{};
+};
+
+inline Bounds bounds_of(const Scene& scene) {
+  Bounds bounds{scene.particles.front().position, scene.particles.front().position};
+  for (const Particle& p : scene.particles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds.low[k] = std::min(bounds.low[k], p.position[k]);
+      bounds.high[k] = std::max(bounds.high[k], p.position[k]);
+    }
+  }
+  return bounds;
+}
+
+}  // namespace tps::properties::runs
