@@ -10,7 +10,7 @@ namespace {
 
 struct Precision {
   std::string_view name;
-  Report (*evaluate)(const Operation&, const Input&, std::string_view);
+  Report (*evaluate)(const Operation&, const Input&, std::string_view, Detail);
 };
 
 constexpr std::array<Precision, 6> precisions{{{"float", evaluate_in<float>},
@@ -28,10 +28,10 @@ std::vector<std::string> scalars() {
   return names;
 }
 
-Report evaluate(const Operation& operation, const Input& input, std::string_view scalar) {
+Report evaluate(const Operation& operation, const Input& input, std::string_view scalar, Detail detail) {
   const auto* found = std::find_if(precisions.begin(), precisions.end(),
                                    [&](const Precision& p) { return p.name == scalar; });
-  return found->evaluate(operation, input, scalar);
+  return found->evaluate(operation, input, scalar, detail);
 }
 
 }  // namespace tps::eval

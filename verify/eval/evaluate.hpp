@@ -14,12 +14,13 @@ namespace tps::eval {
 /// number or a result, and where eq. (5) is asked of a pair without tangential motion.
 /// Instantiated for the six scalars of the program, each in its own source.
 template <typename Scalar>
-Report evaluate_in(const Operation& operation, const Input& input, std::string_view name);
+Report evaluate_in(const Operation& operation, const Input& input, std::string_view name, Detail detail);
 
 /// The scalars by the names that commands and files use, in order of precision.
 std::vector<std::string> scalars();
 
 /// The same by the scalar's name. REQUIRES one of scalars().
-Report evaluate(const Operation& operation, const Input& input, std::string_view scalar);
+Report evaluate(const Operation& operation, const Input& input, std::string_view scalar,
+                Detail detail = Detail::everything);
 
 }  // namespace tps::eval

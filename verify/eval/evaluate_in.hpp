@@ -30,7 +30,8 @@ class Evaluation : private ReportIn<Scalar> {
  public:
   using Vec = Vector<Scalar, D>;
 
-  Evaluation(const Input& input, std::string_view scalar) : ReportIn<Scalar>(scalar), input_(input) {}
+  Evaluation(const Input& input, std::string_view scalar, Detail detail)
+      : ReportIn<Scalar>(scalar, detail), input_(input) {}
 
   Report of(Op op) {
     switch (op) {
@@ -131,7 +132,7 @@ class Evaluation : private ReportIn<Scalar> {
     step("v", "v", "v_B - v_A", v);
     const CollisionTime<Scalar> at = op == Op::block_time ? block_time<Scalar, D>(u_A, u_B, v_A, v_B, L)
                                                           : tether_time<Scalar, D>(u_A, u_B, v_A, v_B, L);
-    if (at.verdict != TimingVerdict::static_pair) {
+    if (this->shows_steps() && at.verdict != TimingVerdict::static_pair) {
       const ScaledQuery<Scalar, D> scaled = scaled_query<Scalar, D>(r, v, L);
       const bool as_given = scaled.L == L && scaled.r == r && scaled.v == v;
       const Approach<Scalar> q = approach<Scalar, D>(scaled.r, scaled.v, scaled.L);
@@ -157,6 +158,7 @@ class Evaluation : private ReportIn<Scalar> {
     return f;
   }
   void reduced() {
+    if (!this->shows_steps()) return;
     step("mu", "μ", "1 / (1/m_A + 1/m_B)", reduced_mass<Scalar>(number("m_A"), number("m_B")));
   }
 
@@ -165,6 +167,7 @@ class Evaluation : private ReportIn<Scalar> {
   }
 
   void revolution_steps(const CollisionFrame<Scalar, D>& f) {
+    if (!this->shows_steps()) return;
     const Scalar c = number("c_revolve"), theta = number("theta_revolve_deg");
     const Revolution<Scalar, D> q = revolution<Scalar, D>(f, c, theta);
     step("v_revolve", "v_revolve", "v_ŵ - tan θ |v_ŵ| û", q.v_revolve);
@@ -192,8 +195,10 @@ class Evaluation : private ReportIn<Scalar> {
     const CollisionFrame<Scalar, D> f = frame();
     const Scalar m_A = number("m_A"), m_B = number("m_B"), c_retract = number("c_retract");
     const Scalar theta = number("theta_revolve_deg");
-    step("closing", "|c_retract v_n|", "", Scalar(abs(c_retract * f.v_n)));
-    step("needed", "tan θ |v_ŵ|", "", Scalar(tan_degrees<Scalar>(theta) * norm<Scalar, D>(f.v_w)));
+    if (this->shows_steps()) {
+      step("closing", "|c_retract v_n|", "", Scalar(abs(c_retract * f.v_n)));
+      step("needed", "tan θ |v_ŵ|", "", Scalar(tan_degrees<Scalar>(theta) * norm<Scalar, D>(f.v_w)));
+    }
     const TetherResponse<Scalar, D> answer =
         tether_response<Scalar, D>(f, m_A, m_B, c_retract, number("c_revolve"), theta);
     const bool revolves = answer.kind == TetherResponseKind::revolve;
@@ -267,9 +272,9 @@ class Evaluation : private ReportIn<Scalar> {
 };
 
 template <typename Scalar>
-Report evaluate_in(const Operation& operation, const Input& input, std::string_view name) {
-  if (input.dimension == 2) return Evaluation<Scalar, 2>(input, name).of(operation.op);
-  return Evaluation<Scalar, 3>(input, name).of(operation.op);
+Report evaluate_in(const Operation& operation, const Input& input, std::string_view name, Detail detail) {
+  if (input.dimension == 2) return Evaluation<Scalar, 2>(input, name, detail).of(operation.op);
+  return Evaluation<Scalar, 3>(input, name, detail).of(operation.op);
 }
 
 }  // namespace tps::eval

@@ -2,4 +2,4 @@
 #include "verify/eval/evaluate_in.hpp"
 
 template tps::eval::Report tps::eval::evaluate_in<tps::Mp100>(const Operation&, const Input&,
-                                                              std::string_view);
+                                                              std::string_view, Detail);

@@ -9,6 +9,12 @@
 
 namespace tps::eval {
 
+/// How much of an evaluation a report has.
+enum class Detail {
+  everything,
+  bare_results,  ///< no steps, and numbers in hexadecimal only
+};
+
 /// A number in both spellings, independent of the scalar it was computed in.
 struct Number {
   std::string decimal;  ///< enough digits to read it back

@@ -19,7 +19,7 @@ namespace tps::eval {
 template <typename Scalar>
 class ReportIn {
  public:
-  explicit ReportIn(std::string_view scalar) : scalar_(scalar) {}
+  ReportIn(std::string_view scalar, Detail detail) : scalar_(scalar), detail_(detail) {}
 
   const Report& report() const { return report_; }
 
@@ -33,9 +33,11 @@ class ReportIn {
   }
   std::string_view scalar() const { return scalar_; }
 
+  /// Whether steps are shown: what only they need is not computed otherwise.
+  bool shows_steps() const { return detail_ == Detail::everything; }
   template <typename Value>
   void step(const char* key, const char* symbol, const char* formula, const Value& x) {
-    report_.steps.push_back(quantity(key, symbol, formula, x));
+    if (shows_steps()) report_.steps.push_back(quantity(key, symbol, formula, x));
   }
   template <typename Value>
   void result(const char* key, const char* symbol, const Value& x) {
@@ -51,7 +53,8 @@ class ReportIn {
   }
 
  private:
-  static Number spelled(const Scalar& x) {
+  Number spelled(const Scalar& x) const {
+    if (detail_ == Detail::bare_results) return {"", to_hex(x)};
     if constexpr (std::is_floating_point_v<Scalar>) {
       return {fmt::format("{}", x), to_hex(x)};
     } else {
@@ -73,6 +76,7 @@ class ReportIn {
   }
 
   std::string_view scalar_;
+  Detail detail_;
   Report report_;
 };
 
