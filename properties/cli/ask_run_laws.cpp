@@ -54,6 +54,7 @@ class Watched final : public runs::Simulator {
   std::string name() const override { return watched_->name(); }
   std::string scalar() const override { return watched_->scalar(); }
   std::string timing() const override { return watched_->timing(); }
+  std::vector<std::string> detectors() const override { return watched_->detectors(); }
   std::string simulate(const Scene& scene, const runs::Extent& extent) override {
     return noting([&] { return watched_->simulate(scene, extent); });
   }
@@ -78,7 +79,12 @@ bool ask(const runs::RunLaw& law, runs::Simulator& simulator, const RunLawQuesti
                                 rc::detail::TestMetadata{law.name, law.sentence}, params);
   std::ostringstream said;
   rc::detail::printResultMessage(result, said);
-  std::string text = fmt::format("law {} {}: {}\n", law.number, law.name, printable_lines(said.str()));
+  rc::detail::GaveUpResult gave_up;
+  const bool never_asked = result.match(gave_up) && gave_up.numSuccess == 0;
+  std::string text =
+      fmt::format("law {} {}: {}\n", law.number, law.name,
+                  never_asked ? "not asked: no scene that was generated can ask it of this simulator"
+                              : printable_lines(said.str()));
   if (instead.traces > 0) {
     text += fmt::format(
         "  not judged: the law cannot judge minimal traces; the check judged {} of them instead\n",
