@@ -16,11 +16,11 @@ MAYBE = {"inf", "0", "1e308", "1e-320", "18446744073709551615", "0x1p3"}  # take
 WORDS = {"-h", "--help", "--version", "-o", "--output", "--format", "--checkpoint", "--resume", "--scene", "--witness", "--law", "--library", "--regressions",
          "--replay", "--in", "--op", "--stratum", "--answers", "--list", "--quiet", "-q", "--why", "--without-random-impulses", "--bitwise", "--trust-draws", "--scalar", "--timing", "--detector",
          "--profile", "--expect-fail", "--hypotheses", "--runs", "--hazards", "--simulator", "--quick", "--variant", "--without-times", "--from", "--json", "--csv",
-         "--page", "--view", "--responses", "--model", "--hard-cases", "--case"}
+         "--page", "--view", "--responses", "--model", "--hard-cases", "--queries", "--case"}
 # Of a verb what it needs besides.
 NEEDED = {"run": ["scene"], "check": ["trace"], "explain": ["scene"], "draw": ["trace"], "import": ["scenario"], "eval": ["load", "--in", "input"],
           "vectors verify": ["vectors"], "vectors requests": ["vectors"], "properties": ["--law", "Eq6Laws.Law1*", "--cases", "1"],
-          "cost": ["--quick", "--variant", "printed-double", "--stratum", "plain"],
+          "cost": ["--queries", "--quick", "--variant", "printed-double", "--stratum", "plain"],
           "vectors generate": ["--op", "load", "--level", "1"]}
 # Numbers that are words, too, and options that take numbers as words of their own (a count of zero particles is none).
 TAKES = {("run", "--until", "99999999999999999999999"), ("draw", "--at", "99999999999999999999999"), ("import", "--duration", "99999999999999999999999")}

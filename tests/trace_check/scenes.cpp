@@ -155,7 +155,8 @@ std::uint64_t cut(const std::string& name) {
 std::vector<std::string> scene_names() {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(TPS_SOURCE_DIR "/data/scenes")) {
-    names.push_back(file.path().stem().string());
+    // With drag the clock is another one; lies about it are told in drag_check_test.cpp.
+    if (!read_scene_file(file.path().string()).drag) names.push_back(file.path().stem().string());
   }
   for (const auto& [name, scene] : made()) names.push_back(name);
   std::ranges::sort(names);
