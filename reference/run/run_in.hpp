@@ -35,6 +35,7 @@ class RecordedRun {
         schedule_(scene, scene.duration) {
     if (resume != nullptr) take_up(*resume);
     simulation_->set_horizon(horizon_);
+    simulation_->next_time();  // see step()
     files_.begin(scene, options, state_every_, resume);
     last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
@@ -115,6 +116,7 @@ class RecordedRun {
     try {
       schedule_.sample_until(world(), next, samples_);
       simulation_->step();
+      simulation_->next_time();  // a detector may ask pairs only when the next event is looked for
     } catch (const OutOfRange& problem) {
       out_of_range_ = problem.what();
       lines_.clear();

@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <random>
+#include <set>
+#include <string>
 
+#include "reference/scene/read_scene.hpp"
 #include "reference/text/input_error.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
@@ -110,6 +113,29 @@ TEST(Range, PointsThatFallTogetherEndTheRun) {
   EXPECT_NE(run.summary.out_of_range.find("particles 0 and 1"), std::string::npos);
   EXPECT_EQ(run.summary.events, 0U);
   EXPECT_EQ(run.bytes.find("nan"), std::string::npos);
+}
+
+// Cells ask a pair again when they look for the next event, behind the step that all pairs asked it in.
+TEST(Range, EveryDetectorLeavesItAtTheSameEvent) {
+  const Scene scene = read_scene_text(
+      R"({"tps":1,"dimension":2,"duration":8,"species":{"a":{"mass":2.3283064365386963e-10,"radius":0.5},)"
+      R"("b":{"mass":34359738368,"radius":0.5}},"pairs":[{"between":["a","a"],"blocking":{"distance":1,"c_rebound":0}},)"
+      R"({"between":["a","b"],"blocking":{"distance":1,"c_rebound":0}},{"between":["b","b"],"blocking":{"distance":1,"c_rebound":0}}],)"
+      R"("particles":[{"id":0,"species":"b","position":[-4,0],"velocity":[-2,0]},{"id":1,"species":"b","position":[4,0],"velocity":[-2,0]},)"
+      R"({"id":2,"species":"b","position":[-1,0],"velocity":[-1,-2]},{"id":3,"species":"a","position":[1,3],"velocity":[-1,-1]},)"
+      R"({"id":4,"species":"a","position":[3,0],"velocity":[0,0]}]})",
+      "scene");
+  RunOptions options = testing::options_for("float");
+  options.timing = Timing::paper;
+  std::set<std::string> traces;
+  for (const DetectorKind detector : {DetectorKind::all_pairs, DetectorKind::cells}) {
+    options.detector = detector;
+    const testing::TracedRun run = testing::traced(scene, options);
+    EXPECT_EQ(run.summary.end, "out_of_range");
+    EXPECT_EQ(run.summary.events, 2U);
+    traces.insert(run.bytes);
+  }
+  EXPECT_EQ(traces.size(), 1U);
 }
 
 TEST(Range, AStartIsJudgedInTheScalarOfTheRun) {

@@ -123,8 +123,7 @@ class PaperLoop {
     }
     const auto after = apply_impulse<double, 3>(m, m, v_[a], v_[b], dp);
     std::erase_if(responded_, [&](const auto& r) {
-      const auto& [i, j, outer] = r;
-      const auto meets = [&](int n) { return i == n || j == n; };
+      const auto meets = [&](int n) { return std::get<0>(r) == n || std::get<1>(r) == n; };
       return (after.v_A != v_[a] && meets(next.i)) || (after.v_B != v_[b] && meets(next.j));
     });
     v_[a] = after.v_A;

@@ -14,9 +14,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostParticles = 300;  ///< every pair is looked at
 
 const PairLaw* law_of(const Scene& scene, std::size_t i, std::size_t j) {
-  const auto [low, high] = std::minmax(scene.particles[i].species, scene.particles[j].species);
+  const int a = scene.particles[i].species, b = scene.particles[j].species;
   const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const PairLaw& law) {
-    return law.species_a == low && law.species_b == high;
+    return law.species_a == std::min(a, b) && law.species_b == std::max(a, b);
   });
   return found == scene.pairs.end() ? nullptr : &*found;
 }
