@@ -130,7 +130,7 @@ def main():
     report = verbs.add_parser("table")
     report.add_argument("root", type=pathlib.Path)
     report.add_argument("programs", type=pathlib.Path)
-    report.add_argument("--cases", type=int, default=100)
+    report.add_argument("--cases", type=int, default=200)
     report.add_argument("--seed", type=int, default=20260101)
     report.add_argument("--jobs", type=int, default=2)
     report.add_argument("--only", nargs="*")

@@ -35,7 +35,7 @@ class RecordedRun {
         schedule_(scene, scene.duration) {
     if (resume != nullptr) take_up(*resume);
     simulation_->set_horizon(horizon_);
-    simulation_->next_time();  // see step()
+    next_ = simulation_->next_time();
     files_.begin(scene, options, state_every_, resume);
     last_state_ = capture(*simulation_);
     if (resume == nullptr && files_.wants_states()) write_state_line(false);
@@ -51,7 +51,7 @@ class RecordedRun {
     }
     const Time<Scalar> end = end_time(reason);
     if (reason != EndReason::out_of_range) {
-      schedule_.sample_until(world(), std::min(simulation_->next_time(), after_end(end)), samples_);
+      schedule_.sample_until(world(), std::min(next_, after_end(end)), samples_);
     }
     if (files_.wants_states()) write_state_line(true);
     if (files_.has_trace()) {
@@ -89,11 +89,10 @@ class RecordedRun {
       if (options_.interrupt != nullptr && options_.interrupt->load()) return EndReason::interrupted;
       if (simulation_->stalled()) return EndReason::stalled;
       if (options_.max_events && world().events >= *options_.max_events) return EndReason::max_events;
-      const Time<Scalar> next = simulation_->next_time();
-      if (next == Time<Scalar>::never() && end == next) return reason_of_silence();
-      if (end < next) return duration_ < kForEver ? EndReason::duration : EndReason::no_more_events;
+      if (next_ == Time<Scalar>::never() && end == next_) return reason_of_silence();
+      if (end < next_) return duration_ < kForEver ? EndReason::duration : EndReason::no_more_events;
       const std::uint64_t before = world().events;
-      if (!step(next)) return EndReason::out_of_range;
+      if (!step()) return EndReason::out_of_range;
       if (before / state_every_ != world().events / state_every_) {
         last_state_ = capture(*simulation_);
         if (files_.wants_states()) write_state_line(false);
@@ -111,12 +110,12 @@ class RecordedRun {
 
   /// One step, whose lines are written once it is done. @return false where a number left the range: then
   /// everything is as it was before the step.
-  bool step(const Time<Scalar>& next) {
+  bool step() {
     const std::uint64_t before = world().events;
     try {
-      schedule_.sample_until(world(), next, samples_);
+      schedule_.sample_until(world(), next_, samples_);
       simulation_->step();
-      simulation_->next_time();  // a detector may ask pairs only when the next event is looked for
+      next_ = simulation_->next_time();  // a detector may ask pairs only now
     } catch (const OutOfRange& problem) {
       out_of_range_ = problem.what();
       lines_.clear();
@@ -239,6 +238,7 @@ class RecordedRun {
   TraceFiles
       files_;  ///< before the simulation, whose start takes long: whoever may not write hears it at once
   std::optional<Simulation<Scalar, D>> simulation_;
+  Time<Scalar> next_;  ///< of the next event: looked for with the step before it, which may then be undone
   ClusterSchedule schedule_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;
