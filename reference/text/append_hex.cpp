@@ -81,11 +81,22 @@ Parts parts_of(double x) {
 
 void append_hex(std::string& text, double x) {
   if (!is_normal(x)) {
-    text.append(to_hex<double>(x));
+    if (std::isinf(x)) {
+      text.append(x > 0 ? "inf" : "-inf");
+    } else {
+      text.append(join_hex(hex_digits(x)));
+    }
     return;
   }
   const Parts p = parts_of(x);
   append_number(text, p.negative, p.fraction << (64 - kFractionBits), 0, p.exponent);
+}
+
+template <>
+std::string to_hex<double>(const double& x) {
+  std::string text;
+  append_hex(text, x);
+  return text;
 }
 
 void append_hex_sum(std::string& text, double hi, double lo) {
@@ -97,8 +108,7 @@ void append_hex_sum(std::string& text, double hi, double lo) {
   const int unit = is_pair ? parts_of(hi).exponent - kFractionBits : 0;
   const double scaled = is_pair ? std::ldexp(lo, 64 - unit) : 0;
   if (scaled == 0 || std::abs(scaled) > 0x1p63 || scaled != std::trunc(scaled)) {
-    const std::array<HexDigits, 2> terms = {hex_digits(hi), hex_digits(lo)};
-    text.append(join_hex(exact_sum(terms)));
+    append_hex_sum<double>(text, hi, lo);
     return;
   }
   const Parts p = parts_of(hi);

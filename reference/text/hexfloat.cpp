@@ -1,9 +1,7 @@
 #include "reference/text/hexfloat.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <charconv>
 #include <iterator>
 
 namespace tps {
@@ -131,20 +129,6 @@ int significant_bits(const HexDigits& hex) {
   const int last = digit_value(hex.digits.back());
   const int trailing = (last & 1) != 0 ? 0 : (last & 2) != 0 ? 1 : (last & 4) != 0 ? 2 : 3;
   return 4 * static_cast<int>(hex.digits.size() - 1) + width(digit_value(hex.digits.front())) - trailing;
-}
-
-template <>
-std::string to_hex<double>(const double& x) {
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  if (x != 0 && std::abs(x) < std::numeric_limits<double>::min()) return join_hex(hex_digits(x));
-  std::array<char, 40> buffer{};
-  char* start = buffer.data();
-  if (std::signbit(x)) *start++ = '-';
-  *start++ = '0';
-  *start++ = 'x';
-  const auto [end, error] =
-      std::to_chars(start, buffer.data() + buffer.size(), std::abs(x), std::chars_format::hex);
-  return {buffer.data(), end};
 }
 
 }  // namespace tps

@@ -64,7 +64,7 @@ std::string to_hex(const Scalar& x) {
   return join_hex(hex_digits(x));
 }
 
-/// The faster road for the type that most traces are written in.
+/// The faster road for the type that most traces are written in (append_hex.hpp).
 template <>
 std::string to_hex<double>(const double& x);
 
