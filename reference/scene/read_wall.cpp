@@ -1,16 +1,8 @@
 #include "reference/scene/read_wall.hpp"
 
-#include "reference/text/json_number.hpp"
+#include "reference/scene/scene_values.hpp"
 
 namespace tps {
-namespace {
-
-double number(const JsonValue& object, const char* key) {
-  return json_number(*object.find(key)).value();
-}
-
-}  // namespace
-
 bool has_one_shape(const JsonValue& entry) {
   int shapes = 0;
   for (const char* key : {"plane", "sphere", "box"}) shapes += entry.find(key) != nullptr ? 1 : 0;
@@ -29,7 +21,7 @@ Wall read_wall(const JsonValue& entry, const std::string& pointer, const ReadVec
   if (const JsonValue* sphere = entry.find("sphere")) {
     wall.shape = Wall::Shape::sphere;
     wall.point = vector(*sphere, "sphere", "centre");
-    wall.radius = number(*sphere, "radius");
+    wall.radius = number_at(*sphere, "radius");
     wall.inside = *sphere->find("side")->string() == "inside";
   }
   if (const JsonValue* box = entry.find("box")) {
@@ -37,7 +29,7 @@ Wall read_wall(const JsonValue& entry, const std::string& pointer, const ReadVec
     wall.point = vector(*box, "box", "low");
     wall.high = vector(*box, "box", "high");
   }
-  wall.c_rebound = number(entry, "c_rebound");
+  wall.c_rebound = number_at(entry, "c_rebound");
   if (const JsonValue* velocity = entry.find("velocity"))
     wall.velocity = read_vector(*velocity, pointer + "/velocity");
   return wall;

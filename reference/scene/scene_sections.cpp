@@ -3,56 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "reference/scene/read_pair_law.hpp"
 #include "reference/scene/read_wall.hpp"
-#include "reference/text/json_number.hpp"
+#include "reference/scene/scene_values.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/schema_words.hpp"
 
 namespace tps {
 namespace {
 
-// The readers below run on values that the schema has accepted: a required key is there, with its type.
-
-double number(const JsonValue& object, std::string_view key) {
-  return json_number(*object.find(key)).value();
-}
-
-double number_or(const JsonValue& object, std::string_view key, double otherwise) {
-  return object.find(key) == nullptr ? otherwise : number(object, key);
-}
-
-int integer(const JsonValue& value) {
-  return static_cast<int>(value.number()->value);
-}
-
 const JsonValue::Array& entries(const JsonValue& root, std::string_view key) {
   static const JsonValue::Array none;
   const JsonValue* value = root.find(key);
   return value == nullptr || value->array() == nullptr ? none : *value->array();
-}
-
-FormRule read_form(const JsonValue& value) {
-  if (value.object() != nullptr) return {FormRule::When::probability, number(value, "probability")};
-  if (*value.string() == "never") return {FormRule::When::never, 1};
-  if (*value.string() == "permanent") return {FormRule::When::permanent, 1};
-  return {FormRule::When::always, 1};
-}
-
-BreakRule read_break(const JsonValue& value) {
-  if (value.find("probability") != nullptr) {
-    return {BreakRule::When::probability, number(value, "probability"), 0};
-  }
-  if (value.find("impulse_above") != nullptr) {
-    return {BreakRule::When::impulse_above, 0, number(value, "impulse_above")};
-  }
-  return {*value.string() == "always" ? BreakRule::When::always : BreakRule::When::never, 0, 0};
 }
 
 class Sections {
@@ -85,26 +54,26 @@ class Sections {
       return root_.find(key) != nullptr && source_.sound({key});
     };
     if (there("title")) scene_.title = *root_.find("title")->string();
-    if (there("dimension")) scene_.dimension = integer(*root_.find("dimension"));
-    if (there("start_time")) scene_.start_time = number(root_, "start_time");
-    if (there("duration")) scene_.duration = number(root_, "duration");
+    if (there("dimension")) scene_.dimension = integer_of(*root_.find("dimension"));
+    if (there("start_time")) scene_.start_time = number_at(root_, "start_time");
+    if (there("duration")) scene_.duration = number_at(root_, "duration");
     if (there("seed")) scene_.seed = json_uint64(*root_.find("seed")).value();
-    if (there("drag")) scene_.drag = Drag{number(*root_.find("drag"), "gamma")};
-    if (there("grouping")) scene_.grouping = Grouping{number(*root_.find("grouping"), "dt_restitute")};
+    if (there("drag")) scene_.drag = Drag{number_at(*root_.find("drag"), "gamma")};
+    if (there("grouping")) scene_.grouping = Grouping{number_at(*root_.find("grouping"), "dt_restitute")};
   }
 
   void read_species() {
     for (const JsonMember& member : *root_.find("species")->object()) {
       Species species;
       species.name = member.key;
-      species.mass = number(member.value, "mass");
-      species.radius = number(member.value, "radius");
-      if (const JsonValue* most = member.value.find("max_tethers")) species.max_tethers = integer(*most);
+      species.mass = number_at(member.value, "mass");
+      species.radius = number_at(member.value, "radius");
+      if (const JsonValue* most = member.value.find("max_tethers")) species.max_tethers = integer_of(*most);
       if (const JsonValue* kicks = member.value.find("random_impulses"))
         species.random_impulses =
-            RandomImpulses{number(*kicks, "tau"), number(*kicks, "shape"), number(*kicks, "mean")};
+            RandomImpulses{number_at(*kicks, "tau"), number_at(*kicks, "shape"), number_at(*kicks, "mean")};
       if (const JsonValue* bath = member.value.find("thermostat"))
-        species.thermostat = Thermostat{number(*bath, "tau"), number(*bath, "kT")};
+        species.thermostat = Thermostat{number_at(*bath, "tau"), number_at(*bath, "kT")};
       index_of_.emplace(species.name, static_cast<int>(scene_.species.size()));
       names_.push_back(species.name);
       scene_.species.push_back(species);
@@ -154,33 +123,8 @@ class Sections {
                         first->second, list[first->second].line));
         continue;
       }
-      scene_.pairs.push_back(read_pair(list[k], *pair));
+      scene_.pairs.push_back(read_pair_law(list[k], scene_.species, *pair));
     }
-  }
-
-  PairLaw read_pair(const JsonValue& entry, std::pair<int, int> pair) const {
-    const double r_a = species(pair.first).radius;
-    const double r_b = species(pair.second).radius;
-    PairLaw law;
-    law.species_a = pair.first;
-    law.species_b = pair.second;
-    // One addition or subtraction of doubles is correctly rounded: the defaults that the format promises.
-    if (const JsonValue* blocking = entry.find("blocking")) {
-      law.blocking = BlockingLaw{number_or(*blocking, "distance", r_a + r_b), number(*blocking, "c_rebound")};
-    }
-    if (const JsonValue* tethering = entry.find("tethering")) {
-      TetheringLaw outer;
-      outer.c_retract = number(*tethering, "c_retract");
-      outer.c_revolve = number(*tethering, "c_revolve");
-      outer.theta_revolve_deg = number(*tethering, "theta_revolve_deg");
-      if (const JsonValue* form = tethering->find("form")) outer.form = read_form(*form);
-      if (const JsonValue* breaks = tethering->find("break")) outer.breaks = read_break(*breaks);
-      outer.distance = number_or(*tethering, "distance", std::fabs(r_a - r_b));
-      law.tethering = outer;
-    }
-    if (const JsonValue* friction = entry.find("friction"))
-      law.friction = FrictionLaw{number(*friction, "mu"), number(*friction, "beta0")};
-    return law;
   }
 
   void read_phases() {
@@ -191,8 +135,8 @@ class Sections {
       const std::optional<std::pair<int, int>> pair = read_between(list[k], pointer);
       if (!pair) continue;
       Phase phase;
-      phase.from = number(list[k], "from");
-      phase.until = number(list[k], "until");
+      phase.from = number_at(list[k], "from");
+      phase.until = number_at(list[k], "until");
       phase.species_a = pair->first;
       phase.species_b = pair->second;
       if (const JsonValue* form = list[k].find("form")) phase.form = read_form(*form);
@@ -208,7 +152,7 @@ class Sections {
     const std::optional<int> counted = species_index(*clusters->find("species"), "/observe/clusters/species");
     if (!counted) return;
     const JsonValue* least = clusters->find("at_least");
-    scene_.clusters = ClusterObservation{*counted, least == nullptr ? 3 : integer(*least)};
+    scene_.clusters = ClusterObservation{*counted, least == nullptr ? 3 : integer_of(*least)};
   }
 
   Coordinates read_vector(const JsonValue& value, const std::string& pointer) {
@@ -243,7 +187,7 @@ class Sections {
       if (!sound(pointer)) continue;
       Particle particle;
       const JsonValue* id = list[k].find("id");
-      particle.id = id == nullptr ? static_cast<std::int32_t>(k) : integer(*id);
+      particle.id = id == nullptr ? static_cast<std::int32_t>(k) : integer_of(*id);
       const auto [first, is_new] = entry_of.emplace(particle.id, k);
       if (!is_new) {
         source_.report(
@@ -268,7 +212,7 @@ class Sections {
 
   // Index of a particle by its id; reports an id that no particle has.
   std::optional<int> particle_index(const JsonValue& value, const std::string& pointer) {
-    const int id = integer(value);
+    const int id = integer_of(value);
     const auto found =
         std::lower_bound(scene_.particles.begin(), scene_.particles.end(), id,
                          [](const Particle& particle, int wanted) { return particle.id < wanted; });
@@ -284,7 +228,7 @@ class Sections {
     const JsonValue* gravity = root_.find("gravity");
     if (gravity == nullptr || !source_.sound({"gravity"})) return;
     scene_.gravity = Gravity{read_vector(*gravity->find("acceleration"), "/gravity/acceleration"),
-                             number(*gravity, "every")};
+                             number_at(*gravity, "every")};
   }
 
   void read_walls() {
@@ -318,7 +262,7 @@ class Sections {
       const std::string pointer = fmt::format("/impulses/{}", k);
       if (!sound(pointer)) continue;
       ScheduledImpulse impulse;
-      impulse.at = number(list[k], "at");
+      impulse.at = number_at(list[k], "at");
       impulse.particle = particle_index(*list[k].find("particle"), pointer + "/particle").value_or(0);
       impulse.impulse = read_vector(*list[k].find("impulse"), pointer + "/impulse");
       scene_.impulses.push_back(impulse);
