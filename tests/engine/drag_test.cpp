@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "reference/engine/drag_clock.hpp"
-#include "reference/run/resume.hpp"
+#include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
 
 namespace tps {
@@ -140,15 +140,12 @@ TEST(Drag, AResumedRunGoesOnToTheSameBytes) {
   for (const char* scalar : {"double", "quad"}) {
     RunOptions options = testing::options_for(scalar);
     options.state_every = 10;
-    options.trace = testing::scratch("whole.ndjson");
-    const RunSummary whole_run = run_scene(busy(Drag{.05}), options);
-    const std::string whole = testing::read_bytes(options.trace);
-    testing::write_bytes(options.trace, whole.substr(0, whole.size() / 2));
-    const RunSummary resumed = resume_run(options.trace, options);
-    EXPECT_EQ(testing::read_bytes(options.trace), whole) << scalar;
-    EXPECT_EQ(resumed.drag_taken, whole_run.drag_taken) << scalar;
-    EXPECT_EQ(resumed.lost, whole_run.lost) << scalar;
-    std::filesystem::remove(options.trace);
+    SCOPED_TRACE(scalar);
+    const testing::ResumedRuns runs = testing::expect_same_when_resumed(busy(Drag{.05}), options);
+    for (const RunSummary& resumed : runs.resumed) {
+      EXPECT_EQ(resumed.drag_taken, runs.whole.drag_taken);
+      EXPECT_EQ(resumed.lost, runs.whole.lost);
+    }
   }
 }
 

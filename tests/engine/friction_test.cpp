@@ -8,7 +8,7 @@
 
 #include "reference/engine/simulation.hpp"
 #include "reference/engine/spin_coupling.hpp"
-#include "reference/run/resume.hpp"
+#include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/scenes/granular.hpp"
 #include "verify/scenes/rough.hpp"
@@ -89,14 +89,8 @@ TEST(Friction, AResumedRunGoesOnToTheSameBytes) {
   for (const int dimension : {2, 3}) {
     RunOptions options = testing::options_for("double");
     options.state_every = 10;
-    options.trace = testing::scratch("whole.ndjson");
-    const RunSummary whole_run = run_scene(busy(dimension), options);
-    const std::string whole = testing::read_bytes(options.trace);
-    testing::write_bytes(options.trace, whole.substr(0, whole.size() / 2));
-    const RunSummary resumed = resume_run(options.trace, options);
-    EXPECT_EQ(testing::read_bytes(options.trace), whole);
-    EXPECT_EQ(resumed.spin, whole_run.spin);
-    std::filesystem::remove(options.trace);
+    const testing::ResumedRuns runs = testing::expect_same_when_resumed(busy(dimension), options);
+    for (const RunSummary& resumed : runs.resumed) EXPECT_EQ(resumed.spin, runs.whole.spin);
   }
 }
 

@@ -22,21 +22,42 @@ inline std::string first_finding(const check::CheckReport& report) {
   return report.findings.empty() ? "" : report.findings.front().message;
 }
 
-/// A trace with its line `which` of those that have the key changed.
-template <typename Edit>
-std::string with_line(const TracedRun& run, const char* key, int which, Edit edit) {
+inline std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
+  return report.of(rule).violated;
+}
+
+/// A trace with its line `which` of those that are meant changed; left out where the edit returns false.
+template <typename IsMeant, typename Edit>
+std::string with_changed(const TracedRun& run, IsMeant is_meant, int which, Edit edit) {
   std::string bytes;
   int seen = 0;
   for (const std::string& line : run.lines) {
     nlohmann::json event = nlohmann::json::parse(line);
-    if (event.contains(key) && seen++ == which) {
-      edit(event);
-      bytes += event.dump() + "\n";
+    if (is_meant(event) && seen++ == which) {
+      if (edit(event)) bytes += event.dump() + "\n";
     } else {
       bytes += line + "\n";
     }
   }
   return bytes;
+}
+
+/// The same of the lines that have a key.
+template <typename Edit>
+std::string with_line(const TracedRun& run, const char* key, int which, Edit edit) {
+  return with_changed(
+      run, [&](const nlohmann::json& event) { return event.contains(key); }, which,
+      [&](nlohmann::json& event) {
+        edit(event);
+        return true;
+      });
+}
+
+/// The same of the events of a kind; left out where the edit returns false.
+template <typename Edit>
+std::string with_event(const TracedRun& run, const std::string& kind, int which, Edit edit) {
+  return with_changed(
+      run, [&](const nlohmann::json& event) { return event.value("kind", "") == kind; }, which, edit);
 }
 
 }  // namespace tps::testing

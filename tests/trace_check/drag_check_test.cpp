@@ -21,6 +21,7 @@ namespace {
 using nlohmann::json;
 using testing::add_particle;
 using testing::first_finding;
+using testing::violated;
 using testing::with_line;
 
 Scene busy(unsigned seed) {
@@ -44,12 +45,6 @@ check::CheckReport checked(const std::string& bytes) {
   check::CheckOptions options;
   options.max_reports = 1000;
   return testing::checked(bytes, options);
-}
-
-std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
-  std::uint64_t count = 0;
-  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
-  return count;
 }
 
 TEST(Drag, HonestRunsConform) {

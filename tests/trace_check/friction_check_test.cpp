@@ -19,6 +19,7 @@ using nlohmann::json;
 using testing::add_particle;
 using testing::checked;
 using testing::first_finding;
+using testing::violated;
 using testing::with_line;
 
 Scene busy(unsigned seed) {
@@ -41,12 +42,6 @@ Scene busy(unsigned seed) {
   add_particle(scene, big, {-1.2, -1.5, 0}, {.3, .4, 0});
   add_particle(scene, big, {1.2, -1.5, 0}, {-.2, .5, 0});
   return scene;
-}
-
-std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
-  std::uint64_t count = 0;
-  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
-  return count;
 }
 
 TEST(Friction, HonestRunsConform) {

@@ -8,9 +8,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "reference/run/resume.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/trace_check/check.hpp"
 
@@ -19,6 +20,9 @@ namespace {
 
 using nlohmann::json;
 using testing::add_particle;
+using testing::first_finding;
+using testing::violated;
+using testing::with_event;
 
 /// Balls in a container, of two species; one is pushed at random times, the other, unless bodies are grouped,
 /// is thermalised.
@@ -54,17 +58,9 @@ testing::TracedRun honest(const Scene& scene, const std::string& scalar, Timing 
 }
 
 check::CheckReport checked(const std::string& bytes, bool trust_draws = false) {
-  const std::string path = testing::scratch("kicks.ndjson");
-  testing::write_bytes(path, bytes);
   check::CheckOptions options;
   options.trust_draws = trust_draws;
-  const check::CheckReport report = check::check_trace(path, options);
-  std::filesystem::remove(path);
-  return report;
-}
-
-std::string first_finding(const check::CheckReport& report) {
-  return report.findings.empty() ? "" : report.findings.front().message;
+  return testing::checked(bytes, options);
 }
 
 TEST(OutsideKicks, HonestRunsConform) {
@@ -91,32 +87,9 @@ TEST(OutsideKicks, HonestRunsConform) {
   EXPECT_GE(kicks, 100U);
 }
 
-/// A trace with one line changed or, where the edit empties it, left out with what follows kept.
-template <typename Edit>
-std::string with(const testing::TracedRun& run, const char* kind, int which, Edit edit) {
-  std::string bytes;
-  int seen = 0;
-  for (const std::string& line : run.lines) {
-    json event = json::parse(line);
-    if (event.value("kind", "") == kind && seen++ == which) {
-      if (!edit(event)) continue;
-      bytes += event.dump() + "\n";
-    } else {
-      bytes += line + "\n";
-    }
-  }
-  return bytes;
-}
-
 std::string next_up(const json& hex) {
   const double x = std::strtod(hex.get<std::string>().c_str(), nullptr);
   return to_hex(std::nextafter(x, x < 0 ? -HUGE_VAL : HUGE_VAL));
-}
-
-std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
-  std::uint64_t count = 0;
-  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
-  return count;
 }
 
 TEST(RandomKicks, LiesAreTold) {
@@ -129,22 +102,23 @@ TEST(RandomKicks, LiesAreTold) {
           event["dp"][0] = to_hex(std::strtod(event["dp"][0].get<std::string>().c_str(), nullptr) + 1e-12);
           return true;
         };
-        EXPECT_GT(violated(checked(with(run, kind, which, larger)), check::Rule::impulse), 0U)
+        EXPECT_GT(violated(checked(with_event(run, kind, which, larger)), check::Rule::impulse), 0U)
             << seed << kind;
         const auto dropped = [](json&) { return false; };
-        EXPECT_GT(violated(checked(with(run, kind, which, dropped)), check::Rule::earliest), 0U)
+        EXPECT_GT(violated(checked(with_event(run, kind, which, dropped)), check::Rule::earliest), 0U)
             << seed << kind;
         const auto renamed = [&](json& event) {
           event["kind"] = std::string(kind) == "thermostat" ? "random_impulse" : "thermostat";
           return true;
         };
-        EXPECT_GT(violated(checked(with(run, kind, which, renamed)), check::Rule::earliest), 0U)
+        EXPECT_GT(violated(checked(with_event(run, kind, which, renamed)), check::Rule::earliest), 0U)
             << seed << kind;
         const auto late = [](json& event) {
           event["t"] = next_up(event["t"]);
           return true;
         };
-        EXPECT_GT(violated(checked(with(run, kind, which, late)), check::Rule::earliest), 0U) << seed << kind;
+        EXPECT_GT(violated(checked(with_event(run, kind, which, late)), check::Rule::earliest), 0U)
+            << seed << kind;
       }
     }
   }
@@ -159,14 +133,17 @@ TEST(Gravity, LiesAreTold) {
         event["dv"][1] = next_up(next_up(event["dv"][1]));
         return true;
       };
-      EXPECT_GT(violated(checked(with(run, "gravity", which, larger)), check::Rule::impulse), 0U) << seed;
+      EXPECT_GT(violated(checked(with_event(run, "gravity", which, larger)), check::Rule::impulse), 0U)
+          << seed;
       const auto dropped = [](json&) { return false; };
-      EXPECT_GT(violated(checked(with(run, "gravity", which, dropped)), check::Rule::earliest), 0U) << seed;
+      EXPECT_GT(violated(checked(with_event(run, "gravity", which, dropped)), check::Rule::earliest), 0U)
+          << seed;
       const auto late = [](json& event) {
         event["t"] = next_up(event["t"]);
         return true;
       };
-      EXPECT_GT(violated(checked(with(run, "gravity", which, late)), check::Rule::earliest), 0U) << seed;
+      EXPECT_GT(violated(checked(with_event(run, "gravity", which, late)), check::Rule::earliest), 0U)
+          << seed;
     }
   }
 }
@@ -187,22 +164,15 @@ TEST(RandomKicks, AreTakenAsGivenWhereDrawsAreTrusted) {
     event["dp"][0] = to_hex(-std::strtod(event["dp"][0].get<std::string>().c_str(), nullptr));
     return true;
   };
-  EXPECT_GT(violated(checked(with(run, "random_impulse", 2, turned), true), check::Rule::impulse), 0U);
+  EXPECT_GT(violated(checked(with_event(run, "random_impulse", 2, turned), true), check::Rule::impulse), 0U);
 }
 
 TEST(RandomKicks, AResumedRunGoesOnToTheSameBytes) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     RunOptions options = testing::options_for("double", 200);
     options.state_every = 10;
-    options.trace = testing::scratch("whole.ndjson");
-    run_scene(busy(seed, seed == 4), options);
-    const std::string whole = testing::read_bytes(options.trace);
-    for (const std::size_t cut : {whole.size() / 3, whole.size() / 2, whole.size() - 900}) {
-      testing::write_bytes(options.trace, whole.substr(0, cut));
-      resume_run(options.trace, options);
-      EXPECT_EQ(testing::read_bytes(options.trace), whole) << seed << ' ' << cut;
-    }
-    std::filesystem::remove(options.trace);
+    SCOPED_TRACE(seed);
+    testing::expect_same_when_resumed(busy(seed, seed == 4), options);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/text/hexfloat.hpp"
+#include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
@@ -18,6 +19,7 @@ namespace periodic_boxes_in_traces {
 using nlohmann::json;
 using testing::checked;
 using testing::first_finding;
+using testing::violated;
 
 /// Balls that are tethered by their collisions at times, in a box that is periodic in x and y, in space
 /// between two walls; two of them alone in the plane; rough ones of seed 7, with drag of seed 8.
@@ -82,12 +84,6 @@ TEST(CheckOfPeriodicBox, HonestRunsConform) {
   EXPECT_GE(events, 500U);
 }
 
-std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
-  std::uint64_t count = 0;
-  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
-  return count;
-}
-
 bool is_across(const json& event, double edge) {
   std::vector<double> x;
   for (const json& state : event["pre"])
@@ -127,15 +123,7 @@ TEST(CheckOfPeriodicBox, AResumedRunGoesOnToTheSameBytes) {
     options.state_every = 7;
     options.timing = timing;
     options.certifier = &certifier;
-    options.trace = testing::scratch("whole.ndjson");
-    run_scene(boxed(6), options);
-    const std::string whole = testing::read_bytes(options.trace);
-    for (const std::size_t cut : {whole.size() / 3, whole.size() / 2}) {
-      testing::write_bytes(options.trace, whole.substr(0, cut));
-      resume_run(options.trace, options);
-      EXPECT_EQ(testing::read_bytes(options.trace), whole) << cut;
-    }
-    std::filesystem::remove(options.trace);
+    testing::expect_same_when_resumed(boxed(6), options);
   }
 }
 

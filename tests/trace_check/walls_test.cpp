@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "reference/run/resume.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
@@ -19,6 +19,8 @@ namespace walls_in_traces {
 using nlohmann::json;
 using testing::checked;
 using testing::first_finding;
+using testing::violated;
+using testing::with_event;
 
 /// Balls of two kinds in a box with an obstacle, a leaning plane and a hollow that moves; with gravity at
 /// times.
@@ -99,30 +101,8 @@ TEST(CheckOfWalls, HonestRunsWithDragConform) {
   }
 }
 
-/// A trace with one rebound from a wall changed; left out where the edit says so.
-template <typename Edit>
-std::string with(const testing::TracedRun& run, int which, Edit edit) {
-  std::string bytes;
-  int seen = 0;
-  for (const std::string& line : run.lines) {
-    json event = json::parse(line);
-    if (event.value("kind", "") == "wall" && seen++ == which) {
-      if (edit(event)) bytes += event.dump() + "\n";
-    } else {
-      bytes += line + "\n";
-    }
-  }
-  return bytes;
-}
-
 double number(const json& hex) {
   return std::strtod(hex.get<std::string>().c_str(), nullptr);
-}
-
-std::uint64_t violated(const check::CheckReport& report, check::Rule rule) {
-  std::uint64_t count = 0;
-  for (const check::RuleResult& result : report.rules) count += result.rule == rule ? result.violated : 0;
-  return count;
 }
 
 TEST(CheckOfWalls, LiesAreTold) {
@@ -131,7 +111,7 @@ TEST(CheckOfWalls, LiesAreTold) {
       const testing::TracedRun run = honest(walled(seed), "double", timing);
       for (const int which : {0, 3, 8}) {
         const auto of = [&](check::Rule rule, auto edit) {
-          return violated(checked(with(run, which, edit)), rule);
+          return violated(checked(with_event(run, "wall", which, edit)), rule);
         };
         const std::string where = std::to_string(seed) + ' ' + std::to_string(which);
         EXPECT_GT(of(check::Rule::earliest, [](json&) { return false; }), 0U) << where;
@@ -178,15 +158,7 @@ TEST(CheckOfWalls, AResumedRunGoesOnToTheSameBytes) {
     options.state_every = 10;
     options.timing = timing;
     options.certifier = &certifier;
-    options.trace = testing::scratch("whole.ndjson");
-    run_scene(walled(3), options);
-    const std::string whole = testing::read_bytes(options.trace);
-    for (const std::size_t cut : {whole.size() / 3, whole.size() / 2}) {
-      testing::write_bytes(options.trace, whole.substr(0, cut));
-      resume_run(options.trace, options);
-      EXPECT_EQ(testing::read_bytes(options.trace), whole) << cut;
-    }
-    std::filesystem::remove(options.trace);
+    testing::expect_same_when_resumed(walled(3), options);
   }
 }
 
