@@ -1,16 +1,24 @@
 // An implementation of the operations of the interface (docs/protocol.md), anybody's.
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "properties/format.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::properties {
 
 using Json = nlohmann::ordered_json;
+
+/// A number as the protocol spells it: a hexadecimal float that a double has, or "inf".
+inline double number_of(const Json& spelled) {
+  const std::string& text = spelled.get_ref<const std::string&>();
+  return text == "inf" ? HUGE_VAL : parse_hex_float(text).value;
+}
 
 /// One operation on given numbers, as the protocol sends it: doubles as hexadecimal floats.
 struct Question {

@@ -1,20 +1,13 @@
 #include "properties/implementations/ask_equation.hpp"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "reference/text/input_error.hpp"
-#include "reference/text/number_text.hpp"
 #include "verify/eval/evaluate.hpp"
 
 namespace tps::properties {
 namespace {
-
-double number_of(const Json& value) {
-  const std::string& text = value.get_ref<const std::string&>();
-  return text == "inf" ? HUGE_VAL : parse_hex_float(text).value;
-}
 
 eval::Input input_of(const Json& in) {
   eval::Input input;

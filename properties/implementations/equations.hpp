@@ -1,7 +1,6 @@
 // The equations in one scalar as an implementation. Heavy header: two sources include it.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "reference/equations/eq7_restitution_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
 #include "reference/text/hexfloat.hpp"
-#include "reference/text/number_text.hpp"
 
 namespace tps::properties {
 
@@ -33,10 +31,7 @@ class GroupByEquations {
   }
 
  private:
-  static Scalar scalar(const Json& value) {
-    const std::string& text = value.get_ref<const std::string&>();
-    return static_cast<Scalar>(text == "inf" ? HUGE_VAL : parse_hex_float(text).value);
-  }
+  static Scalar scalar(const Json& value) { return static_cast<Scalar>(number_of(value)); }
   Vec vec(const Json& value) const {
     Vec x = Vec::Zero();
     for (int k = 0; k < dimension_; ++k) x[k] = scalar(value.at(static_cast<std::size_t>(k)));

@@ -85,17 +85,13 @@ class Request {
     if (function(arguments...) != TPS_ANSWERED) throw Refused{};
   }
 
-  static double read(const Json& value) {
-    const std::string& text = value.get_ref<const std::string&>();
-    return text == "inf" ? HUGE_VAL : parse_hex_float(text).value;
-  }
-  double number(const char* key) const { return read(in_.at(key)); }
+  double number(const char* key) const { return number_of(in_.at(key)); }
   double m_A() const { return number("m_A"); }
   double m_B() const { return number("m_B"); }
   Vec3 read_vector(const Json& from, const char* key) {
     const Json& list = from.at(key);
     dimension_ = static_cast<int>(list.size());
-    return {read(list.at(0)), read(list.at(1)), dimension_ > 2 ? read(list.at(2)) : 0};
+    return {number_of(list.at(0)), number_of(list.at(1)), dimension_ > 2 ? number_of(list.at(2)) : 0};
   }
   void put(double (&to)[3], const Vec3& x) const { std::copy(x.begin(), x.end(), to); }
   const tps_pair& read_pair(const Json& from) {
@@ -125,7 +121,7 @@ class Request {
   }
 
   tps_query read_query(const Json& from) {
-    return {from.at("kind") == "tether" ? TPS_TETHER : TPS_BLOCK, read_pair(from), read(from.at("L"))};
+    return {from.at("kind") == "tether" ? TPS_TETHER : TPS_BLOCK, read_pair(from), number_of(from.at("L"))};
   }
   Json order() {
     const tps_query first = read_query(in_.at("first")), second = read_query(in_.at("second"));
@@ -157,12 +153,12 @@ class Request {
     std::vector<tps_body> bodies;
     std::vector<tps_collision> collisions;
     for (const Json& each : in_.at("bodies")) {
-      bodies.push_back({read(each.at("m")), {}, {}});
+      bodies.push_back({number_of(each.at("m")), {}, {}});
       put(bodies.back().u, read_vector(each, "u"));
       put(bodies.back().v, read_vector(each, "v"));
     }
     for (const Json& each : in_.at("collisions"))
-      collisions.push_back({each.at("i").get<int>(), each.at("j").get<int>(), read(each.at("c"))});
+      collisions.push_back({each.at("i").get<int>(), each.at("j").get<int>(), number_of(each.at("c"))});
     struct Row {
       double v[3];
     };

@@ -1,5 +1,4 @@
-// The verdict by rational numbers, written down as the rule is: what exactness costs without a lift to
-// integers.
+// The verdict by rational numbers: what exactness costs without a lift to integers.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -22,16 +21,10 @@ inline TimingVerdict rational_verdict(const exact::TimingQuery& query) {
     c += r * r;
   }
   if (a == 0) return TimingVerdict::static_pair;
-  const Number D = h * h - a * c;
-  if (query.kind == exact::Kind::block) {
-    if (h >= 0) return TimingVerdict::receding;
-    if (c < 0) return TimingVerdict::overlap;
-    if (c == 0) return TimingVerdict::contact;
-    return D > 0 ? TimingVerdict::hit : D == 0 ? TimingVerdict::tangent : TimingVerdict::miss;
-  }
-  if (c < 0) return TimingVerdict::hit;
-  if (h >= 0) return c == 0 ? TimingVerdict::taut : TimingVerdict::overstretched;
-  return c == 0 || D > 0 ? TimingVerdict::hit : TimingVerdict::turning;
+  const auto sign = [](const Number& x) {
+    return x < 0 ? exact::Sign::negative : x > 0 ? exact::Sign::positive : exact::Sign::zero;
+  };
+  return exact::decide(query.kind, sign(h), sign(c), sign(h * h - a * c)).value();
 }
 
 }  // namespace tps::cost
