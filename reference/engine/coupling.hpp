@@ -24,6 +24,7 @@ struct Collision {
   CollisionFrame<Scalar, D> frame;  ///< from the positions of i and j and the velocities of their bodies
   Scalar mass_i, mass_j;            ///< of the bodies
   Vector<Scalar, D> dp;             ///< by eq. (4) or (5)
+  Scalar loss;                      ///< of energy, by eq. (4) or (5)
 };
 
 template <typename Scalar, int D>
@@ -34,10 +35,11 @@ class Coupling {
   virtual bool together(int i, int j) const = 0;
   /// Mass of the body that a particle belongs to.
   virtual Scalar body_mass(const World<Scalar, D>& world, int i) const = 0;
-  /// Answers a collision: changes velocities and completes its record, which is still open.
+  /// Answers a collision: takes its loss to the ledger, changes velocities and completes its record, which is
+  /// still open.
   virtual void collide(World<Scalar, D>& world, const Collision<Scalar, D>& collision,
                        Record<Scalar, D>& record) = 0;
-  /// Takes the energy of a collision that is about to be answered to the ledger.
+  /// The same of a rebound that is no collision of two particles.
   virtual void lose(World<Scalar, D>& world, const Scalar& loss) { world.ledger.lost += loss; }
   /// What Δp has to be multiplied with to be a momentum of the scene now.
   virtual Scalar impulse_unit(const World<Scalar, D>&) const { return Scalar(1); }
@@ -86,6 +88,7 @@ class FreeCoupling : public Coupling<Scalar, D> {
   Scalar body_mass(const World<Scalar, D>& world, int i) const override { return world.mass(i); }
 
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>&) override {
+    world.ledger.lost += c.loss;
     require_normal_impulses<Scalar, D>(world, c.i, c.j, c.dp, c.mass_i, c.mass_j);
     const PairVelocities<Scalar, D> v =
         apply_impulse<Scalar, D>(c.mass_i, c.mass_j, world.velocity(c.i), world.velocity(c.j), c.dp);

@@ -2,16 +2,20 @@
 // calls for, and knows none of them by name.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/engine/clock.hpp"
 #include "reference/engine/effect_call.hpp"
+#include "reference/engine/energy_share.hpp"
 #include "reference/engine/laws.hpp"
 #include "reference/engine/pair_timing.hpp"
 #include "reference/engine/queue.hpp"
@@ -78,10 +82,45 @@ class Effect {
   virtual void resume(World<Scalar, D>&, std::uint64_t /*progress*/) {}
 
   /// What a full state holds of this effect beside progress: lists of numbers by their names. A resumed run
-  /// gets them back.
+  /// gets them back. By default its sums of energy, as "gravity_work".
   using Numbers = std::map<std::string, std::vector<Scalar>>;
-  virtual Numbers numbers(const World<Scalar, D>&) const { return {}; }
-  virtual void take_numbers(World<Scalar, D>&, const Numbers&) {}
+  virtual Numbers numbers(const World<Scalar, D>&) const {
+    Numbers numbers;
+    for (const EnergyShare<Scalar>& share : shares_)
+      numbers[named(share)] = {share.sum.total(), share.sum.rest()};
+    return numbers;
+  }
+  virtual void take_numbers(World<Scalar, D>&, const Numbers& numbers) {
+    for (EnergyShare<Scalar>& share : shares_) {
+      const std::vector<Scalar>& kept = numbers.at(named(share));
+      share.sum = {kept.at(0), kept.at(1)};
+    }
+  }
+
+  /// What it has done to the energy of the scene from the start until `end`, which is not before the last
+  /// event: lines of the summary.
+  using Energies = std::vector<std::pair<std::string_view, Scalar>>;
+  virtual Energies energies(const World<Scalar, D>&, const Time<Scalar>& /*end*/) const {
+    Energies energies;
+    for (const EnergyShare<Scalar>& share : shares_) energies.emplace_back(share.what, share.sum.value());
+    return energies;
+  }
+
+ protected:
+  Effect() = default;
+  /// @param shares  what it adds up: "work", "heat", "lost"
+  explicit Effect(std::initializer_list<std::string_view> shares) {
+    for (const std::string_view what : shares) shares_.push_back({what, {}});
+  }
+  /// Adds to the nth of them. Throws OutOfRange.
+  void add_energy(std::size_t n, const Scalar& energy) { shares_[n].add(energy, name()); }
+
+ private:
+  std::string named(const EnergyShare<Scalar>& share) const {
+    return std::string(name()).append("_").append(share.what);
+  }
+
+  std::vector<EnergyShare<Scalar>> shares_;
 };
 
 /// What is known in advance is at its stored time.

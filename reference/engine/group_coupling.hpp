@@ -36,6 +36,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   /// Loads two bodies (semantics §4): both take v_load, the node keeps Δp_AB, the whole tree gets a new
   /// expiry. An infinite mass stays outside, so that bodies grounded on it remain separate trees.
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>& record) override {
+    world.ledger.lost += c.loss;
     require_normal_impulses<Scalar, D>(world, c.i, c.j, c.dp, c.mass_i, c.mass_j);
     const Vec v_i = world.velocity(c.i);
     const Vec v_j = world.velocity(c.j);
@@ -62,8 +63,9 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     forest_.join({c.i, c.j, c.limit, {side_of(c.i), side_of(c.j)}, {c.mass_i, c.mass_j}, dp_stored}, joined);
 
     move_as_one(world, joined.members, v_load, record);
-    record.dp_stored = dp_stored;
-    record.members = joined.members;
+    loaded_.dp_stored = dp_stored;
+    loaded_.members = joined.members;
+    record.addition = &loaded_;
     world.ledger.stored += energy_kept(dp_stored, mu);
     add_wall_impulse(world, c.mass_i, c.mass_j, Vec(mu * c.frame.v_AB));
     world.statistics.largest_group =
@@ -160,6 +162,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
 
   GroupForest<Scalar, D> forest_;
   Scalar dt_restitute_;
+  Addition<Scalar, D> loaded_;  ///< to the record of the last load
 };
 
 }  // namespace tps

@@ -6,15 +6,18 @@
 namespace tps {
 
 /// An impulse from outside on the body of a particle, as an event: momentum, work and velocity.
+/// @return the work
 template <typename Scalar, int D>
-void push_from_outside(World<Scalar, D>& world, int i, const Vector<Scalar, D>& J,
-                       Record<Scalar, D>& record) {
+Scalar push_from_outside(World<Scalar, D>& world, int i, const Vector<Scalar, D>& J,
+                         Record<Scalar, D>& record) {
   record.dp = J;
   const Scalar body_mass = world.coupling->body_mass(world, i);
   const Vector<Scalar, D> v = world.velocity(i) - world.frame_velocity();
-  world.ledger.work += J.dot(v) + J.squaredNorm() / body_mass / Scalar(2);
+  const Scalar work = J.dot(v) + J.squaredNorm() / body_mass / Scalar(2);
+  world.ledger.work += work;
   world.ledger.add_from_outside(J);
   world.coupling->push(world, i, J, record);
+  return work;
 }
 
 }  // namespace tps

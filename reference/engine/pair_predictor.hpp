@@ -66,7 +66,7 @@ class PairPredictor {
       if (!question || is_done(pair, *question)) continue;
       const std::optional<Scalar> dt = world.timing.next(pair, *question);
       if (dt && !(*dt >= Scalar(0))) throw OutOfRange("the time of " + pair_name(world.scene, i, j));
-      if (dt) require_resolved(world, pair, question->distance, *dt);
+      if (dt && *dt < (std::numeric_limits<Scalar>::min)()) require_resolved(world, pair, question->distance);
       if (!dt || (earliest && !(*dt < *earliest))) continue;
       earliest = dt;
       effect = predictor.index;
@@ -85,10 +85,9 @@ class PairPredictor {
 
   /// A time below the normal numbers is one of a pair at its limit, or one that underflowed: then the time in
   /// which the pair crosses its limit does so, too.
-  static void require_resolved(const World<Scalar, D>& world, const PairView<Scalar, D>& pair,
-                               const Scalar& distance, const Scalar& dt) {
+  [[gnu::noinline]] static void require_resolved(const World<Scalar, D>& world,
+                                                 const PairView<Scalar, D>& pair, const Scalar& distance) {
     const Scalar least = (std::numeric_limits<Scalar>::min)();
-    if (dt >= least) return;
     if (Scalar(distance / norm<Scalar, D>(pair.v_j - pair.v_i)) < least)
       throw OutOfRange("the time in which " + pair_name(world.scene, pair.i, pair.j) +
                        " meet, which underflows,");

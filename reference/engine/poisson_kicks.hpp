@@ -21,7 +21,7 @@ template <typename Scalar, int D>
 class PoissonKicks : public Effect<Scalar, D> {
  public:
   PoissonKicks(std::string_view kind, Rank rank, Purpose purpose)
-      : kind_(kind), rank_(rank), purpose_(purpose) {}
+      : Effect<Scalar, D>({"heat"}), kind_(kind), rank_(rank), purpose_(purpose) {}
 
   void begin(World<Scalar, D>&, int self) override { self_ = self; }
 
@@ -43,7 +43,7 @@ class PoissonKicks : public Effect<Scalar, D> {
     const int i = event.detail;
     Record<Scalar, D> record = world.open_record(kind_, i, i);
     const Vector<Scalar, D> J = impulse(world, i, ++world.draws[stream(world, i)]);
-    push_from_outside(world, i, J, record);
+    this->add_energy(0, push_from_outside(world, i, J, record));
     world.close_record(record);
     times_[of_[world.index(i)]].advance();
     queue_next(world, i);

@@ -40,11 +40,14 @@ void require_range(const Scene& scene, const Record<Scalar, D>& record) {
       throw OutOfRange("the velocity of " + particle_name(scene, change.particle) + " after its " +
                        std::string(record.kind));
   }
-  if (record.dv && !is_finite<Scalar, D>(*record.dv)) throw OutOfRange("the change of velocities" + event());
   if (record.dp && !is_finite<Scalar, D>(*record.dp))
     throw OutOfRange("the impulse between " + pair_name(scene, record.i, record.j) + event());
-  if (record.dp_stored && !is_finite<Scalar, D>(*record.dp_stored))
-    throw OutOfRange("the stored impulse of " + pair_name(scene, record.i, record.j) + event());
+  if (const Addition<Scalar, D>* added = record.addition) {
+    if (added->dv && !is_finite<Scalar, D>(*added->dv))
+      throw OutOfRange("the change of velocities" + event());
+    if (added->dp_stored && !is_finite<Scalar, D>(*added->dp_stored))
+      throw OutOfRange("the stored impulse of " + pair_name(scene, record.i, record.j) + event());
+  }
   if (!is_finite(record.dt)) throw OutOfRange("the time since the event before");
 }
 

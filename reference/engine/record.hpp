@@ -25,6 +25,20 @@ struct SpinChange {
   std::vector<Scalar> before, after;
 };
 
+/// What some effects add to the record of an event, beside what every run has. One an effect, which keeps it
+/// until its next event: a run that calls for none of them has a null pointer for all of it.
+template <typename Scalar, int D>
+struct Addition {
+  std::optional<Vector<Scalar, D>> dv;         ///< gravity: of every finite mass
+  std::optional<Vector<Scalar, D>> dp_stored;  ///< grouping: Δp_AB of eq. (7), at a load
+  std::vector<int> members;                    ///< grouping: of the group after a load, ascending
+  std::vector<SpinChange<Scalar>> spins;       ///< friction: of those of i and j that keep one
+  std::optional<bool> sticks;                  ///< friction: whether the surfaces held each other
+  std::optional<int> phase;                    ///< phases: which one
+  std::optional<std::size_t> wall;             ///< walls: of the scene
+  std::optional<int> face;                     ///< walls: of a box
+};
+
 enum class TetherChange { none, formed, broken };
 
 /// One event. `involved` starts with i and j (where there are two) and then holds the other members of the
@@ -38,16 +52,9 @@ struct Record {
   std::vector<ParticleChange<Scalar, D>> involved;
   std::optional<Vector<Scalar, D>>
       dp;  ///< Δp on i: of eq. (4) or (5), of eq. (7) at a restitution, J from outside
-  std::optional<Vector<Scalar, D>> dv;  ///< of every finite mass, at an event that concerns all of them
-  std::optional<Vector<Scalar, D>> dp_stored;  ///< Δp_AB of eq. (7), at a load
-  std::vector<SpinChange<Scalar>> spins;       ///< of those of i and j that keep one, where friction acted
-  std::optional<bool> sticks;                  ///< whether the surfaces held each other; where friction acted
+  const Addition<Scalar, D>* addition = nullptr;  ///< until the effect's next event; null where it adds none
   TetherChange tether = TetherChange::none;
-  std::optional<double> draw;       ///< uniform in [0, 1): the random number that decided `tether`
-  std::vector<int> members;         ///< of the group after a load, ascending; empty where nothing was loaded
-  std::optional<int> detail;        ///< which phase, where `kind` is "phase"
-  std::optional<std::size_t> wall;  ///< of the scene, where `kind` is "wall"
-  std::optional<int> face;          ///< of a box
+  std::optional<double> draw;  ///< uniform in [0, 1): the random number that decided `tether`
 
   std::uint64_t k = 0;  ///< number of the event, from 1
   Time<Scalar> t;       ///< since the start

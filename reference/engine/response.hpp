@@ -1,5 +1,9 @@
 // What rebound and tethering have in common: the collision of two bodies seen as eqs. (4) and (5) see it, and
 // the bookkeeping around its answer.
+//
+// The three functions that both call stay out of line: inlined where there is one caller and not where there
+// are two, they would make either effect cost the scenes that call for the other alone
+// (docs/performance.md, "Only what is called for").
 #pragma once
 
 #include <algorithm>
@@ -29,7 +33,8 @@ Scalar coordinate_ulp(const Vector<Scalar, D>& u_i, const Vector<Scalar, D>& u_j
 /// The collision of two particles that were brought to now, Δp still zero. Throws OutOfRange where they are
 /// at one place, which has no axis.
 template <typename Scalar, int D>
-Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, Limit limit) {
+[[gnu::noinline]] Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j,
+                                                     Limit limit) {
   require_apart(world, i, j);
   const PairPlaces<Scalar, D> places = world.places(i, j);
   return {i,
@@ -38,7 +43,8 @@ Collision<Scalar, D> collision_now(const World<Scalar, D>& world, int i, int j, 
           collision_frame<Scalar, D>(places.from(), places.to(), world.velocity(i), world.velocity(j)),
           world.coupling->body_mass(world, i),
           world.coupling->body_mass(world, j),
-          Vector<Scalar, D>::Zero()};
+          Vector<Scalar, D>::Zero(),
+          Scalar(0)};
 }
 
 /// Whether rounding alone can have made v_n: each stored velocity was rounded to u of itself by its last
@@ -58,7 +64,8 @@ bool below_rounding(const World<Scalar, D>& world, const Collision<Scalar, D>& c
 
 /// Counts how far a collision is from what real arithmetic would have made of it.
 template <typename Scalar, int D>
-void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c, const Scalar& distance_limit) {
+[[gnu::noinline]] void observe_collision(World<Scalar, D>& world, const Collision<Scalar, D>& c,
+                                         const Scalar& distance_limit) {
   using std::abs;
   using std::sqrt;
   const PairPlaces<Scalar, D> places = world.places(c.i, c.j);
@@ -85,12 +92,11 @@ void require_impulse(const World<Scalar, D>& world, const Collision<Scalar, D>& 
 /// Passes the impulse of a collision on to the bodies and remembers that the pair has responded. With the
 /// wrong sign of v_n the event stands with Δp = 0 (semantics §1) and loads nothing.
 template <typename Scalar, int D>
-void answer(World<Scalar, D>& world, const Collision<Scalar, D>& collision, bool has_impulse,
-            const Scalar& loss, Record<Scalar, D>& record) {
+[[gnu::noinline]] void answer(World<Scalar, D>& world, const Collision<Scalar, D>& collision,
+                              bool has_impulse, Record<Scalar, D>& record) {
   record.dp = collision.dp;
   if (has_impulse) {
     require_impulse(world, collision);
-    world.coupling->lose(world, loss);
     world.coupling->collide(world, collision, record);
   } else {
     ++world.statistics.zero_impulse;

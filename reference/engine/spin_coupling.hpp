@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/engine/coupling.hpp"
+#include "reference/engine/energy_share.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/equations/rough_impulse.hpp"
 
@@ -42,6 +43,9 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   /// Takes up a spin from outside: a full state's.
   void set_spin(int i, const SpinVec& spin) { spins_[World<Scalar, D>::index(i)] = spin; }
 
+  /// What friction has turned into heat. A run that is resumed puts its sum back.
+  EnergyShare<Scalar>& lost() { return lost_; }
+
   /// ½ Σ I ω².
   Scalar energy(const World<Scalar, D>& world) const {
     Sum<Scalar> twice;
@@ -60,11 +64,13 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
     Collision<Scalar, D> whole = c;
     whole.dp += rough.dp;
     record.dp = whole.dp;
-    record.sticks = rough.sticks;
-    world.ledger.lost += rough.lost;
+    addition_.sticks = rough.sticks;
+    addition_.spins.clear();
+    record.addition = &addition_;
     FreeCoupling<Scalar, D>::collide(world, whole, record);
-    for (const ParticleChange<Scalar, D>& side : record.involved)
-      turn(world, side, c.frame.u_hat, rough.dp, record);
+    world.ledger.lost += rough.lost;
+    lost_.add(rough.lost, "friction");
+    for (const ParticleChange<Scalar, D>& side : record.involved) turn(world, side, c.frame.u_hat, rough.dp);
   }
 
  private:
@@ -84,14 +90,14 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
 
   /// Infinite masses do not turn. The ledger's bound of a velocity is taken for R ω, too (docs/ledger.md).
   void turn(World<Scalar, D>& world, const ParticleChange<Scalar, D>& side, const Vector<Scalar, D>& u_hat,
-            const Vector<Scalar, D>& dp, Record<Scalar, D>& record) {
+            const Vector<Scalar, D>& dp) {
     const int i = side.particle;
     if (world.fixed(i)) return;
     const SpinVec before = spin(i);
     const SpinVec after = before + spin_change<Scalar, D>(u_hat, dp, world.mass(i), radius(world, i));
     if (!is_finite<Scalar, kSize>(after)) throw OutOfRange("the spin of " + particle_name(world.scene, i));
     set_spin(i, after);
-    record.spins.push_back({i, {before.begin(), before.end()}, {after.begin(), after.end()}});
+    addition_.spins.push_back({i, {before.begin(), before.end()}, {after.begin(), after.end()}});
     const Vec& V = world.frame_velocity();
     const Vec& v = world.velocity(i);
     const Scalar speeds = norm<Scalar, D>(side.velocity_before) + norm<Scalar, D>(v);
@@ -106,6 +112,8 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   std::vector<std::optional<Friction>> friction_;  ///< by two species
   std::vector<Scalar> radii_;                      ///< by species
   std::vector<SpinVec> spins_;
+  EnergyShare<Scalar> lost_{"lost", {}};
+  Addition<Scalar, D> addition_;  ///< to the record of the last rebound with friction
 };
 
 }  // namespace tps

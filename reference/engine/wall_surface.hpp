@@ -81,10 +81,10 @@ class WallSurface {
     return world.timing.moment(view(world, i), question(world, i));
   }
 
-  /// How far a particle is beyond the limit now, in ulps of its largest coordinate.
-  Scalar beyond(const World<Scalar, D>& world, int i) const {
-    const Vec u = world.position(i, world.now);
-    const Vec at = place(world.now);
+  /// How far a particle is beyond the limit at a time of its flight, in ulps of its largest coordinate.
+  Scalar beyond(const World<Scalar, D>& world, int i, const Time<Scalar>& t) const {
+    const Vec u = world.position(i, t);
+    const Vec at = place(t);
     const Scalar distance_now = is_plane() ? Scalar(normal_.dot(u - at)) : norm<Scalar, D>(u - at);
     const Scalar inside = (distance(world, i) - distance_now) / coordinate_ulp<Scalar, D>(u, at);
     return is_inside() ? Scalar(-inside) : inside;

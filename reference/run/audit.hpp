@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "reference/engine/response.hpp"
+#include "reference/engine/wall_surface.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/scene/point_tree.hpp"
 
 namespace tps {
 
-/// The most that any pair is nearer than its inner or farther than its outer limit, in ulps of the pair's
-/// largest coordinate; zero where none is.
+/// The most that any pair, or any particle and a wall, is nearer than its inner or farther than its outer
+/// limit, in ulps of their largest coordinate; zero where none is.
 template <typename Scalar>
 struct BoundExcess {
   Scalar inner{0};
@@ -25,7 +26,8 @@ namespace detail {
 template <typename Scalar, int D>
 class Audit {
  public:
-  Audit(const World<Scalar, D>& world, const Time<Scalar>& t) : world_(world), places_(world.scene) {
+  Audit(const World<Scalar, D>& world, const Time<Scalar>& t)
+      : world_(world), time_(t), places_(world.scene) {
     using std::abs;
     for (int i = 0; i < world.size(); ++i) {
       at_.push_back(world.position(i, t));
@@ -49,6 +51,8 @@ class Audit {
         if (i < j) look_at(i, j);
       }
     }
+    for (const Surface& surface : surfaces(world_.scene))
+      look_at(WallSurface<Scalar, D>(surface, world_.scene));
     return worst_;
   }
 
@@ -115,7 +119,16 @@ class Audit {
     if (outside) worst_.outer = std::max(worst_.outer, Scalar((distance - law.tethering->distance) / ulp));
   }
 
+  /// Everybody who moves and a surface of a wall.
+  void look_at(const WallSurface<Scalar, D>& surface) {
+    Scalar& worst = surface.is_inside() ? worst_.outer : worst_.inner;
+    for (int i = 0; i < world_.size(); ++i) {
+      if (!world_.fixed(i)) worst = std::max(worst, surface.beyond(world_, i, time_));
+    }
+  }
+
   const World<Scalar, D>& world_;
+  Time<Scalar> time_;
   Scene places_;  ///< the scene with its particles where they are
   std::vector<Vector<Scalar, D>> at_;
   double farthest_ = 0;
@@ -124,7 +137,8 @@ class Audit {
 
 }  // namespace detail
 
-/// Looks at every pair that can be beyond a limit, at a time up to which every particle flies straight.
+/// Looks at every pair that can be beyond a limit, and at everybody before every wall, at a time up to which
+/// every particle flies straight.
 template <typename Scalar, int D>
 BoundExcess<Scalar> audit_bounds(const World<Scalar, D>& world, const Time<Scalar>& t) {
   return detail::Audit<Scalar, D>(world, t).excess();

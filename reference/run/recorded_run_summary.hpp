@@ -22,6 +22,7 @@ RunSummary RecordedRun<Scalar, D>::summarise(EndReason reason, const Time<Scalar
   if (options_.timing == Timing::certified) s.certified = options_.certifier->counters();
   summarise_conservation(s);
   summarise_drag(s, end);
+  summarise_effects(s, end);
   s.worst_inner_excess = static_cast<double>(world().statistics.worst_inner_excess);
   s.worst_outer_excess = static_cast<double>(world().statistics.worst_outer_excess);
   const BoundExcess<Scalar> audit = audit_bounds(world(), end);
@@ -95,6 +96,33 @@ void RecordedRun<Scalar, D>::summarise_drag(RunSummary& s, const Time<Scalar>& e
   s.energy_bound = f_end * f_end * s.energy_bound + static_cast<double>(own);
   s.momentum_drift *= f_end;
   s.momentum_bound *= f_end;
+}
+
+/// Impulses at given times have what work the others leave, rebounds and tethers what loss.
+template <typename Scalar, int D>
+void RecordedRun<Scalar, D>::summarise_effects(RunSummary& s, const Time<Scalar>& end) const {
+  Scalar work = world().ledger.work.value();
+  Scalar lost = world().ledger.lost.value();
+  if (const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get()))
+    lost = drag->lost();
+  std::set<std::string_view> called;
+  for (const auto& effect : simulation_->effects()) {
+    called.insert(effect->name());
+    for (const auto& [what, energy] : effect->energies(world(), end)) {
+      s.by_effect.push_back({std::string(effect->name()), std::string(what), static_cast<double>(energy)});
+      if (what == "work" || what == "heat") work -= energy;
+      if (what == "lost") lost -= energy;
+    }
+  }
+  const auto rest = [&](std::string_view effect, const char* what, const Scalar& energy) {
+    if (called.contains(effect))
+      s.by_effect.push_back({std::string(effect), what, static_cast<double>(energy)});
+  };
+  rest("scheduled_impulses", "work", work);
+  rest("grouping", "stored", world().ledger.stored.value());
+  rest(called.contains("rebound") ? "rebound" : "tethering", "lost", lost);
+  if (called.contains("rebound") && called.contains("tethering"))
+    s.by_effect.back().effect += " and tethering";
 }
 
 template <typename Scalar, int D>

@@ -75,6 +75,13 @@ struct ClusterSample {
   std::array<double, 3> centre_velocity{};  ///< of its centre of mass
 };
 
+/// What one effect has done to the energy of a run: "work" or "heat" that it gave, what was "lost" at it,
+/// what it has "taken" or "stored" (docs/ledger.md, "Effect by effect").
+struct EffectEnergy {
+  std::string effect, what;
+  double energy = 0;
+};
+
 /// What `tps run` says at the end. Energies are relative to the infinite masses (ledger.hpp).
 struct RunSummary {
   std::string title, scalar, end;
@@ -90,6 +97,7 @@ struct RunSummary {
   double kinetic_at_start = 0, kinetic = 0, stored = 0, lost = 0, work = 0;
   std::optional<double> drag_taken;           ///< kinetic energy that drag has taken, where there is drag
   std::optional<double> spin_at_start, spin;  ///< energy of spins, where particles keep them
+  std::vector<EffectEnergy> by_effect;        ///< of the effects that the scene calls for
   double energy_remainder = 0, energy_bound = 0;
   double worst_inner_excess = 0,
          worst_outer_excess = 0;  ///< in ulps of the pair's largest coordinate, at events

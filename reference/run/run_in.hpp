@@ -221,6 +221,7 @@ class RecordedRun {
   RunSummary summarise(EndReason reason, const Time<Scalar>& end, double seconds) const;
   void summarise_conservation(RunSummary& s) const;
   void summarise_drag(RunSummary& s, const Time<Scalar>& end) const;
+  void summarise_effects(RunSummary& s, const Time<Scalar>& end) const;
   void summarise_groups(RunSummary& s, const Time<Scalar>& end) const;
   std::vector<RunSummary::Final> final_states(const Time<Scalar>& end) const;
   std::vector<std::string> stalled_particles() const;

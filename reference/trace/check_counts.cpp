@@ -13,6 +13,26 @@
 namespace tps {
 namespace {
 
+template <typename Range, typename Calls>
+bool any(const Range& range, Calls calls) {
+  return std::any_of(range.begin(), range.end(), calls);
+}
+
+/// What the effects that a scene calls for keep in a state for the summary.
+std::vector<std::string> quantities_of_effects(const Scene& scene) {
+  std::vector<std::string> names;
+  if (scene.drag) names = {"drag_lost", "drag_taken", "drag_since"};
+  if (scene.gravity) names.emplace_back("gravity_work");
+  if (!scene.walls.empty()) names.insert(names.end(), {"walls_lost", "walls_work"});
+  if (any(scene.species, [](const Species& s) { return s.random_impulses.has_value(); }))
+    names.emplace_back("random_impulses_heat");
+  if (any(scene.species, [](const Species& s) { return s.thermostat.has_value(); }))
+    names.emplace_back("thermostat_heat");
+  if (any(scene.pairs, [](const PairLaw& law) { return law.friction.has_value(); }))
+    names.emplace_back("friction_lost");
+  return names;
+}
+
 class CountCheck {
  public:
   CountCheck(const Scene& scene, const StateData& state, StateOf whose)
@@ -84,9 +104,7 @@ class CountCheck {
       sizes[fmt::format("from_walls_{}", k)] = 2;
       sizes[fmt::format("from_outside_{}", k)] = 2;
     }
-    if (scene_.drag) {
-      for (const char* name : {"drag_lost", "drag_taken", "drag_since"}) sizes[name] = 2;
-    }
+    for (const std::string& name : quantities_of_effects(scene_)) sizes[name] = 2;
     for (const auto& [name, numbers] : state_.quantities) {
       const auto known = sizes.find(name);
       demand(known != sizes.end(), "/quantities/" + name, "is no quantity of a run");

@@ -84,8 +84,10 @@ void append_states(std::string& line, const Scene& scene, const Record<Scalar, D
     append_vector<Scalar, D>(line, change.position);
     line.append(",\"velocity\":");
     append_vector<Scalar, D>(line, after_event ? change.velocity_after : change.velocity_before);
-    for (const SpinChange<Scalar>& spin : record.spins) {
-      if (spin.particle == change.particle) append_spin(line, after_event ? spin.after : spin.before);
+    if (record.addition != nullptr) {
+      for (const SpinChange<Scalar>& spin : record.addition->spins) {
+        if (spin.particle == change.particle) append_spin(line, after_event ? spin.after : spin.before);
+      }
     }
     line.push_back('}');
     separator = ',';
@@ -124,9 +126,11 @@ void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>
   }
   append_hex(line, record.dt);
   line.append("\",\"kind\":\"").append(record.kind).append("\"");
-  if (record.detail) detail::append_member(line, "phase", *record.detail);
-  if (record.wall) detail::append_member(line, "wall", *record.wall);
-  if (record.face) detail::append_member(line, "face", *record.face);
+  if (const Addition<Scalar, D>* added = record.addition) {
+    if (added->phase) detail::append_member(line, "phase", *added->phase);
+    if (added->wall) detail::append_member(line, "wall", *added->wall);
+    if (added->face) detail::append_member(line, "face", *added->face);
+  }
   if (record.i >= 0) detail::append_member(line, "i", id(record.i));
   if (record.j >= 0 && record.j != record.i) detail::append_member(line, "j", id(record.j));
   if (!record.involved.empty()) {
@@ -136,9 +140,11 @@ void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>
     detail::append_states<Scalar, D>(line, scene, record, true);
   }
   detail::append_member<Scalar, D>(line, "dp", record.dp);
-  detail::append_member<Scalar, D>(line, "dv", record.dv);
-  detail::append_member<Scalar, D>(line, "dp_stored", record.dp_stored);
-  if (record.sticks) line.append(*record.sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
+  if (const Addition<Scalar, D>* added = record.addition) {
+    detail::append_member<Scalar, D>(line, "dv", added->dv);
+    detail::append_member<Scalar, D>(line, "dp_stored", added->dp_stored);
+    if (added->sticks) line.append(*added->sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
+  }
   if (record.tether != TetherChange::none) {
     line.append(record.tether == TetherChange::formed ? ",\"tether\":\"formed\"" : ",\"tether\":\"broken\"");
   }
@@ -147,10 +153,10 @@ void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>
     append_hex(line, *record.draw);
     line.push_back('"');
   }
-  if (!record.members.empty()) {
+  if (record.addition != nullptr && !record.addition->members.empty()) {
     char separator = '[';
     line.append(",\"members\":");
-    for (const int m : record.members) {
+    for (const int m : record.addition->members) {
       line.push_back(separator);
       append_decimal(line, id(m));
       separator = ',';

@@ -49,7 +49,7 @@ TEST(Response, AWrongSignLoadsNothingInAGroupedScene) {
   scene.grouping = Grouping{0.1};
   Simulation<double, 2> simulation(scene);
   const Record<double, 2> record = respond_now(simulation);
-  EXPECT_TRUE(record.members.empty());
+  EXPECT_EQ(record.addition, nullptr);
   EXPECT_FALSE(simulation.world().coupling->together(0, 1));
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/engine/simulation.hpp"
+#include "reference/run/audit.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
 
@@ -257,6 +259,41 @@ TEST(Walls, AreNotThereUncalled) {
   const testing::TracedRun run = testing::traced(scene);
   for (const char* text : {"\"wall\"", "\"walls\"", "\"face\""})
     EXPECT_EQ(run.bytes.find(text), std::string::npos) << text;
+}
+
+// The audit at the end of a run looks at everybody before every wall: one that is behind is found, however
+// it came there, and told in ulps.
+TEST(Walls, TheAuditFindsWhoIsBehindAWall) {
+  Scene scene = testing::plain_scene();
+  add_particle(scene, 0, {2, 1, 0}, {});
+  const std::vector<std::pair<Wall, Coordinates>> walls = {
+      {plane({0, 0, 0}, {1, 0, 0}), {.25, 1, 0}},  {plane({0, 0, 0}, {0, 1, 0}), {2, -3, 0}},
+      {sphere({0, 0, 0}, 1, false), {1.25, 0, 0}}, {sphere({2, 2, 0}, 3, true), {2, -.75, 0}},
+      {box({0, 0, 0}, {4, 4, 0}), {2, 3.75, 0}},
+  };
+  for (std::size_t n = 0; n < walls.size(); ++n) {
+    scene.walls = {walls[n].first};
+    Simulation<double, 2> run(scene);
+    const BoundExcess<double> before = audit_bounds(run.world(), {1, 0});
+    EXPECT_EQ(before.inner + before.outer, 0) << n;
+    run.world().particles[0].position = {walls[n].second[0], walls[n].second[1]};
+    const BoundExcess<double> behind = audit_bounds(run.world(), {1, 0});
+    EXPECT_EQ(behind.outer > 0, n == 3) << n;                             // from inside of a sphere
+    EXPECT_GE(std::max(behind.inner, behind.outer), .25 / 0x1p-50) << n;  // ulps of a coordinate up to 4
+  }
+}
+
+// A particle whose walls are forgotten flies through one, and the audit says by how much.
+TEST(Walls, TheAuditFindsARunThatForgetsItsWalls) {
+  Scene scene = testing::plain_scene();
+  add_particle(scene, 0, {2, 1, 0}, {-1, 0, 0});
+  scene.walls = {plane({0, 0, 0}, {1, 0, 0})};
+  Simulation<double, 2> run(scene);
+  ASSERT_EQ(run.next_time().hi, 1.5);
+  run.step();
+  EXPECT_EQ(audit_bounds(run.world(), {4, 0}).inner, 0);
+  run.world().particles[0].velocity = {-1, 0};  // as if it had not been turned
+  EXPECT_EQ(audit_bounds(run.world(), {4, 0}).inner, 2.5 / 0x1p-51);
 }
 
 }  // namespace

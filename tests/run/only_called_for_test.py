@@ -21,17 +21,17 @@ BASE = {"event.k", "event.t", "event.dt", "event.kind", "event.i", "event.j", "e
 # What each adds: words that every run with it has, and words that it may have.
 WORDS = {
     "drag": ({"event.s", "event.ds"}, {"state.s", "state.quantities.drag_lost", "state.quantities.drag_taken", "state.quantities.drag_since"}),
-    "friction": ({"event.contact", "event.pre.spin", "event.post.spin", "state.particles.spin"}, set()),
-    "gravity": ({"kind gravity", "event.dv"}, set()),
+    "friction": ({"event.contact", "event.pre.spin", "event.post.spin", "state.particles.spin", "state.quantities.friction_lost"}, set()),
+    "gravity": ({"kind gravity", "event.dv", "state.quantities.gravity_work"}, set()),
     "grouping": ({"kind restitute", "event.members", "event.dp_stored"}, {"state.groups"}),
     "periodic_box": (set(), set()),
     "phases": ({"kind phase_begin", "event.phase"}, {"kind phase_end"}),
-    "random_impulses": ({"kind random_impulse"}, set()),
+    "random_impulses": ({"kind random_impulse", "state.quantities.random_impulses_heat"}, set()),
     "rebound": ({"kind rebound"}, {"event.tether", "event.draw", "state.draws"}),
     "scheduled_impulses": ({"kind scheduled_impulse"}, set()),
     "tethering": ({"kind retract"}, {"kind revolve", "kind break", "event.tether", "event.draw", "state.draws", "state.tethers"}),
-    "thermostat": ({"kind thermostat"}, set()),
-    "walls": ({"kind wall", "event.wall"}, {"event.face"}),
+    "thermostat": ({"kind thermostat", "state.quantities.thermostat_heat"}, set()),
+    "walls": ({"kind wall", "event.wall", "state.quantities.walls_lost", "state.quantities.walls_work"}, {"event.face"}),
 }
 
 

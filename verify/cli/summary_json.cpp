@@ -64,6 +64,8 @@ std::string summary_json(const RunSummary& s) {
     result["energy"]["spin"] = *s.spin;
   }
   if (s.drag_taken) result["energy"]["taken_by_drag"] = *s.drag_taken;
+  for (const EffectEnergy& share : s.by_effect)
+    result["energy"]["by_effect"][share.effect][share.what] = share.energy;
   if (s.certified) {
     result["certified"] = {{"verdict", stages_json(s.certified->verdict)},
                            {"time", stages_json(s.certified->time)},

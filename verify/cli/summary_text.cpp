@@ -25,7 +25,14 @@ void write_conservation(Text out, const RunSummary& s) {
       out, "energy     kinetic {:.6g} -> {:.6g}, lost {:.6g}, stored {:.6g}, work from outside {:.6g}\n",
       s.kinetic_at_start, s.kinetic, s.lost, s.stored, s.work);
   if (s.spin) fmt::format_to(out, "           of spins {:.6g} -> {:.6g}\n", *s.spin_at_start, *s.spin);
-  if (s.drag_taken) fmt::format_to(out, "           taken by drag {:.6g}\n", *s.drag_taken);
+  for (std::size_t n = 0; n < s.by_effect.size(); ++n) {
+    const EffectEnergy& share = s.by_effect[n];
+    const bool goes_on = n > 0 && s.by_effect[n - 1].effect == share.effect;
+    fmt::format_to(out, "{}{} {:.6g}", goes_on ? ", " : fmt::format("           {}: ", share.effect),
+                   share.what, share.energy);
+    const bool ends = n + 1 == s.by_effect.size() || s.by_effect[n + 1].effect != share.effect;
+    if (ends) fmt::format_to(out, "\n");
+  }
   fmt::format_to(out, "           remainder {:.2e}, {} its bound {:.2e}\n", s.energy_remainder,
                  verdict(std::abs(s.energy_remainder), s.energy_bound), s.energy_bound);
   fmt::format_to(out, "momentum   drift {:.2e}, {} its bound {:.2e}\n", s.momentum_drift,

@@ -90,13 +90,18 @@ def without_blocking(scene):
     return scene
 
 
+def falling(scene):
+    return {**copy.deepcopy(scene), "gravity": {"acceleration": [0, 0, -1], "every": 0.05}}
+
+
 def candidates(tps, work):
-    """Scenes in many ways: those of data/scenes, and tethers without blocking."""
+    """Scenes in many ways: those of data/scenes, tethers without blocking, and a gas between walls that falls."""
     paths = sorted((ROOT / "data/scenes").glob("*.json"), key=lambda path: -path.stat().st_size)
     paths = [path for path in paths if json.loads(path.read_text()).get("dimension", 3) == 3]  # compiled for space alone
-    for name in ("chain", "sheet", "sheet-touching"):
-        path = work / f"{name}-tethers-alone.json"
-        path.write_text(json.dumps(without_blocking(json.loads((ROOT / f"data/scenes/{name}.json").read_text()))))
+    changed = [(name, "tethers-alone", without_blocking) for name in ("chain", "sheet", "sheet-touching")] + [("gas-walls", "falling", falling)]
+    for name, suffix, change in changed:
+        path = work / f"{name}-{suffix}.json"
+        path.write_text(json.dumps(change(json.loads((ROOT / f"data/scenes/{name}.json").read_text()))))
         paths.append(path)
     return [(path, called_by(tps, path)) for path in paths]
 

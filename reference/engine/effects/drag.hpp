@@ -22,11 +22,12 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
  public:
   explicit DragCoupling(const Scalar& gamma) : gamma_(gamma) {}
 
+  void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>& record) override {
+    note(world, c.loss);
+    FreeCoupling<Scalar, D>::collide(world, c, record);
+  }
   void lose(World<Scalar, D>& world, const Scalar& loss) override {
-    taken_ += energy_taken(world, world.now);
-    since_ = world.now;
-    const Scalar f = factor(world.now);
-    lost_ += loss * f * f;
+    note(world, loss);
     world.ledger.lost += loss;
   }
   Scalar impulse_unit(const World<Scalar, D>& world) const override { return factor(world.now); }
@@ -58,6 +59,14 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
   }
 
  private:
+  /// A loss of the run now.
+  void note(const World<Scalar, D>& world, const Scalar& loss) {
+    taken_ += energy_taken(world, world.now);
+    since_ = world.now;
+    const Scalar f = factor(world.now);
+    lost_ += loss * f * f;
+  }
+
   /// Since the last collision the run's kinetic energy is K, what the ledger has left of that at the start:
   /// drag takes K (f² − f'²) = K γ Δs (f + f').
   Scalar energy_taken(const World<Scalar, D>& world, const Time<Scalar>& end) const {
@@ -89,6 +98,10 @@ class Drag final : public Effect<Scalar, D> {
   }
   void take_numbers(World<Scalar, D>&, const typename Effect<Scalar, D>::Numbers& numbers) override {
     coupling_->take_numbers(numbers);
+  }
+  typename Effect<Scalar, D>::Energies energies(const World<Scalar, D>& world,
+                                                const Time<Scalar>& end) const override {
+    return {{"taken", coupling_->taken(world, end)}};
   }
 
  private:

@@ -20,9 +20,26 @@ class FrictionEffect final : public Effect<Scalar, D> {
  public:
   std::string_view name() const override { return "friction"; }
   void begin(World<Scalar, D>& world, int) override {
-    world.coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene);
+    auto coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene);
+    lost_ = &coupling->lost();
+    world.coupling = std::move(coupling);
   }
   void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) override {}
+
+  using Numbers = typename Effect<Scalar, D>::Numbers;
+  Numbers numbers(const World<Scalar, D>&) const override {
+    return {{"friction_lost", {lost_->sum.total(), lost_->sum.rest()}}};
+  }
+  void take_numbers(World<Scalar, D>&, const Numbers& numbers) override {
+    const std::vector<Scalar>& kept = numbers.at("friction_lost");
+    lost_->sum = {kept.at(0), kept.at(1)};
+  }
+  typename Effect<Scalar, D>::Energies energies(const World<Scalar, D>&, const Time<Scalar>&) const override {
+    return {{lost_->what, lost_->sum.value()}};
+  }
+
+ private:
+  EnergyShare<Scalar>* lost_ = nullptr;  ///< of the world's coupling
 };
 
 struct friction {

@@ -18,7 +18,7 @@ class GravityKicks final : public Effect<Scalar, D> {
  public:
   std::string_view name() const override { return "gravity"; }
 
-  explicit GravityKicks(const Gravity& gravity) : gravity_(gravity) {}
+  explicit GravityKicks(const Gravity& gravity) : Effect<Scalar, D>({"work"}), gravity_(gravity) {}
 
   void begin(World<Scalar, D>&, int self) override { self_ = self; }
   void queue_known(World<Scalar, D>& world) override { queue_next(world); }
@@ -33,7 +33,8 @@ class GravityKicks final : public Effect<Scalar, D> {
     }
     Record<Scalar, D> record;
     record.kind = "gravity";
-    record.dv = change;
+    addition_.dv = change;
+    record.addition = &addition_;
     world.close_record(record);
     queue_next(world);
   }
@@ -63,7 +64,9 @@ class GravityKicks final : public Effect<Scalar, D> {
       return;
     }
     const Vector<Scalar, D> v = world.velocity(i) - world.frame_velocity();
-    world.ledger.work += J.dot(v) + J.dot(change) / Scalar(2);
+    const Scalar work = J.dot(v) + J.dot(change) / Scalar(2);
+    world.ledger.work += work;
+    this->add_energy(0, work);
     Vector<Scalar, D> after = world.velocity(i);
     for (int k = 0; k < D; ++k) after[k] = sum(after[k], change[k]);
     if (!is_finite<Scalar, D>(after))
@@ -77,6 +80,7 @@ class GravityKicks final : public Effect<Scalar, D> {
   }
 
   Gravity gravity_;
+  Addition<Scalar, D> addition_;
   std::uint64_t done_ = 0;
   int self_ = 0;
 };

@@ -38,7 +38,8 @@ class Phases final : public Effect<Scalar, D> {
     apply_next(world);
     Record<Scalar, D> record;
     record.kind = change.opens ? "phase_begin" : "phase_end";
-    record.detail = static_cast<int>(change.phase);
+    addition_.phase = static_cast<int>(change.phase);
+    record.addition = &addition_;
     world.close_record(record);
     queue_next(world);
   }
@@ -84,6 +85,7 @@ class Phases final : public Effect<Scalar, D> {
   std::vector<bool> active_;
   std::size_t done_ = 0;
   int self_ = 0;
+  Addition<Scalar, D> addition_;
 };
 
 struct phases {

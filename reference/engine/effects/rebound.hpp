@@ -41,8 +41,8 @@ class Rebound final : public Effect<Scalar, D> {
     }
     form_tether(world, i, j, record);
     const Scalar mu = reduced_mass<Scalar>(collision.mass_i, collision.mass_j);
-    const Scalar loss = mu / Scalar(2) * (Scalar(1) - c * c) * collision.frame.v_n * collision.frame.v_n;
-    answer(world, collision, approaching, loss, record);
+    collision.loss = mu / Scalar(2) * (Scalar(1) - c * c) * collision.frame.v_n * collision.frame.v_n;
+    answer(world, collision, approaching, record);
     world.close_record(record);
   }
 

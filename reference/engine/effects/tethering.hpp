@@ -32,10 +32,9 @@ class Tethering final : public Effect<Scalar, D> {
     Collision<Scalar, D> collision = collision_now(world, i, j, Limit::outer);
     observe_collision(world, collision, law.distance);
     const std::optional<TetherResponse<Scalar, D>> pulled = response_of(collision, law);
-    Scalar loss(0);
     if (pulled) {
       collision.dp = pulled->dp;
-      loss = energy_lost(collision, law, pulled->kind);
+      collision.loss = energy_lost(collision, law, pulled->kind);
       if (pulled->kind == TetherResponseKind::revolve) record.kind = "revolve";
     }
     if (breaks(world, law, collision, record)) {
@@ -43,7 +42,7 @@ class Tethering final : public Effect<Scalar, D> {
       record.tether = TetherChange::broken;
       world.tethers.remove(i, j);
     } else {
-      answer(world, collision, pulled.has_value(), loss, record);
+      answer(world, collision, pulled.has_value(), record);
     }
     world.close_record(record);
   }

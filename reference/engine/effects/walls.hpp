@@ -26,7 +26,7 @@ class WallRebounds final : public Effect<Scalar, D> {
   using Vec = Vector<Scalar, D>;
   std::string_view name() const override { return "walls"; }
 
-  explicit WallRebounds(const Scene& scene) {
+  explicit WallRebounds(const Scene& scene) : Effect<Scalar, D>({"work", "lost"}) {
     for (const Surface& surface : surfaces(scene)) walls_.emplace_back(surface, scene);
   }
 
@@ -47,8 +47,9 @@ class WallRebounds final : public Effect<Scalar, D> {
     const int i = event.first;
     const WallSurface<Scalar, D>& met = wall(event.detail);
     Record<Scalar, D> record = world.open_record("wall", i, i);
-    record.wall = met.surface().wall;
-    record.face = met.surface().face;
+    met_.wall = met.surface().wall;
+    met_.face = met.surface().face;
+    record.addition = &met_;
     const auto [u_A, u_B] = met.axis(world, i);
     if (u_A == u_B)
       throw OutOfRange("the distance of " + met.with(world, i) + ", which rounding puts at one point,");
@@ -88,15 +89,17 @@ class WallRebounds final : public Effect<Scalar, D> {
 
   /// Δp of eq. (4) on the particle, and what it costs. Throws OutOfRange where it underflows.
   Vec impulse(World<Scalar, D>& world, int i, const WallSurface<Scalar, D>& met,
-              const CollisionFrame<Scalar, D>& frame) const {
+              const CollisionFrame<Scalar, D>& frame) {
     const Scalar infinite = std::numeric_limits<Scalar>::infinity();
     const Vec dp = collision_impulse<Scalar, D>(frame, world.mass(i), infinite, met.c_rebound());
     if (dp == Vec::Zero())
       throw OutOfRange("the impulse between " + met.with(world, i) + ", which underflows,");
     require_normal_impulse<Scalar, D>(world.scene, i, dp, world.mass(i), world.velocity(i));
     const Scalar c = met.c_rebound();
-    world.coupling->lose(world,
-                         Scalar(world.mass(i) / Scalar(2) * (Scalar(1) - c * c) * frame.v_n * frame.v_n));
+    const Scalar loss = world.mass(i) / Scalar(2) * (Scalar(1) - c * c) * frame.v_n * frame.v_n;
+    world.coupling->lose(world, loss);
+    const Scalar unit = world.coupling->impulse_unit(world);  // speeds of the run to those of the scene
+    this->add_energy(1, loss * unit * unit);
     return dp;
   }
 
@@ -114,13 +117,16 @@ class WallRebounds final : public Effect<Scalar, D> {
     world.ledger.add_from_walls(dp);
     // In its own frame a wall does no work; in that of the ledger one that moves does.
     const Vec V = met.velocity() - world.frame_velocity();
-    if (V != Vec::Zero()) world.ledger.work += dp.dot(V);
+    if (V == Vec::Zero()) return;
+    const Scalar work = dp.dot(V);
+    world.ledger.work += work;
+    this->add_energy(0, work);
   }
 
   void observe(World<Scalar, D>& world, int i, const WallSurface<Scalar, D>& met,
                const CollisionFrame<Scalar, D>& frame) const {
     Statistics<Scalar>& s = world.statistics;
-    const Scalar beyond = met.beyond(world, i);
+    const Scalar beyond = met.beyond(world, i, world.now);
     Scalar& worst = met.is_inside() ? s.worst_outer_excess : s.worst_inner_excess;
     worst = std::max(worst, beyond);
     if (!met.is_inside() && met.below_rounding(world, i, frame) && s.noise++ == 0)
@@ -128,6 +134,7 @@ class WallRebounds final : public Effect<Scalar, D> {
   }
 
   std::vector<WallSurface<Scalar, D>> walls_;
+  Addition<Scalar, D> met_;
   int self_ = 0;
 };
 
