@@ -19,6 +19,7 @@
 #include "reference/engine/laws.hpp"
 #include "reference/engine/pair_timing.hpp"
 #include "reference/engine/queue.hpp"
+#include "reference/engine/state_data.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps {
@@ -105,6 +106,11 @@ class Effect {
     for (const EnergyShare<Scalar>& share : shares_) energies.emplace_back(share.what, share.sum.value());
     return energies;
   }
+
+  /// What it holds of particles and groups. load() undoes save(); it throws std::runtime_error, or
+  /// std::out_of_range from a look-up, where a state does not belong to the scene or to the scalar.
+  virtual void save(const World<Scalar, D>&, StateData&) const {}
+  virtual void load(World<Scalar, D>&, const StateData&, const IndexOfId&) {}
 
  protected:
   Effect() = default;

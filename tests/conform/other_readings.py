@@ -12,8 +12,9 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "trace_check" / "liar"))
 from groups import Forest  # noqa: E402
+from honesty import Honesty  # noqa: E402
 from responses import collision_impulse  # noqa: E402
-from simulator import Honesty, Simulator  # noqa: E402
+from simulator import Simulator  # noqa: E402
 from timing import INNER, OUTER  # noqa: E402
 
 

@@ -1,59 +1,17 @@
 // The command: what people, programs and CI systems read, and what it makes of files that are no traces.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
-#include "tests/support/content.hpp"
-#include "tests/support/shell.hpp"
+#include "tests/trace_check/check_command.hpp"
 
+namespace tps {
 namespace {
 
 using nlohmann::json;
-using tps::Outcome;
-using tps::run_shell;
-
-const std::string kTps = TPS_PROGRAM;
-
-/// A folder of its own for each test, with the trace of a small scene.
-class Check : public testing::Test {
- protected:
-  Check() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("tps_check_") + test->name() + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-    run_shell(kTps + " run " TPS_SOURCE_DIR "/data/scenes/three-body.json -q -o " + file("good") +
-              " > /dev/null");
-  }
-  ~Check() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
-  Outcome check(const std::string& arguments) const { return run_shell(kTps + " check " + arguments); }
-
-  /// The good trace with the first occurrence of a text behind `after` replaced.
-  std::string broken(const std::string& after, const std::string& found, const std::string& instead) const {
-    std::string text = tps::content(file("good"));
-    const std::size_t place = text.find(found, text.find(after));
-    EXPECT_NE(place, std::string::npos);
-    text.replace(place, found.size(), instead);
-    return text;
-  }
-  /// Event 2 with its Δp the other way.
-  void write_wrong_impulse() const { write("bad", broken("{\"k\":2,", "\"dp\":[\"-0x", "\"dp\":[\"0x")); }
-
- private:
-  std::filesystem::path folder_;
-};
-
-void expect_text(const Outcome& outcome, const std::string& part) {
-  EXPECT_NE(outcome.text.find(part), std::string::npos) << "looked for: " << part << "\nin: " << outcome.text;
-}
 
 TEST_F(Check, AGoodTraceConforms) {
   const Outcome outcome = check(file("good"));
@@ -99,7 +57,7 @@ TEST_F(Check, JUnitIsXmlWithACaseForEachRule) {
 
 // Reports are capped for each rule, counts are not; the check goes on behind the first violation.
 TEST_F(Check, ReportsAreCapped) {
-  std::string text = tps::content(file("good"));
+  std::string text = content(file("good"));
   const std::string negative = "\"dp\":[\"-0x";
   for (std::size_t at = text.find(negative); at != std::string::npos; at = text.find(negative, at)) {
     text.erase(at + negative.find('-'), 1);
@@ -169,7 +127,7 @@ TEST_F(Check, WhatIsNoTraceIsRefusedWithAReason) {
   };
   refused("empty", "", "is empty; a trace starts with");
   refused("garbage", std::string("\x00\xff\xfe{]", 5), ":1:");
-  refused("scene", tps::content(TPS_SOURCE_DIR "/data/scenes/pair.json"), "");
+  refused("scene", content(TPS_SOURCE_DIR "/data/scenes/pair.json"), "");
   refused("number", "7\n", "is not the first line of a trace");
   refused("checkpoint", "{\"checkpoint\":1}\n", "is a checkpoint");
   refused("bare", "{\"trace\":1,\"options\":{\"state_every\":1}}\n", "has no \"scene\"");
@@ -184,7 +142,7 @@ TEST_F(Check, WhatIsNoTraceIsRefusedWithAReason) {
 
 // Truncated anywhere: no crash, no pass; what was there is judged.
 TEST_F(Check, ATruncatedTraceIsNotConforming) {
-  const std::string good = tps::content(file("good"));
+  const std::string good = content(file("good"));
   for (std::size_t length = good.find('\n') + 1; length + 1 < good.size(); length += 997) {
     write("cut", good.substr(0, length));
     const Outcome outcome = check(file("cut"));
@@ -194,7 +152,7 @@ TEST_F(Check, ATruncatedTraceIsNotConforming) {
 }
 
 TEST_F(Check, BrokenLinesAreReportedAndPassedOver) {
-  const std::string good = tps::content(file("good"));
+  const std::string good = content(file("good"));
   const std::size_t second = good.find("{\"k\":2,");
   const auto with = [&](const std::string& line) {
     return good.substr(0, second) + line + "\n" + good.substr(second);
@@ -241,65 +199,5 @@ TEST_F(Check, AnInterruptReportsWhatWasJudged) {
   expect_text(interrupted, "interrupted after line");
 }
 
-/// The trace of velocities only: what docs/check.md shows, from the full one.
-std::string minimal_of(const std::string& full) {
-  std::istringstream lines(full);
-  std::string line, text;
-  while (std::getline(lines, line)) {
-    json event = json::parse(line);
-    if (event.contains("trace")) {
-      text += json{{"trace", 1}, {"form", "minimal"}, {"scalar", event["scalar"]}, {"scene", event["scene"]}}
-                  .dump() +
-              "\n";
-    } else if (event.contains("end")) {
-      text += line + "\n";
-    } else if (event.contains("kind")) {
-      json small{{"t", event["t"]}, {"kind", event["kind"]}};
-      for (const char* key : {"i", "j", "tether", "phase"}) {
-        if (event.contains(key)) small[key] = event[key];
-      }
-      if (event.contains("post")) {
-        for (auto& [id, state] : event["post"].items()) small["post"][id]["velocity"] = state["velocity"];
-      }
-      text += small.dump() + "\n";
-    }
-  }
-  return text;
-}
-
-/// Named like a scene of data/scenes, with _ for -.
-class Minimal : public Check, public testing::WithParamInterface<const char*> {
- protected:
-  static std::string scene_file() {
-    std::string name = GetParam();
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name;
-  }
-};
-
-TEST_P(Minimal, VelocitiesAreEnoughForAReducedCheck) {
-  run_shell(kTps + " run " TPS_SOURCE_DIR "/data/scenes/" + scene_file() + ".json -q --max-events 300 -o " +
-            file("full") + " > /dev/null");
-  const std::string text = minimal_of(tps::content(file("full")));
-  write("minimal", text);
-  const Outcome valid = run_shell("python3 " TPS_SOURCE_DIR "/tests/run/validate_trace.py " TPS_SOURCE_DIR
-                                  "/data/schemas/minimal_trace.schema.json " +
-                                  file("minimal"));
-  EXPECT_EQ(valid.exit_code, 0) << valid.text;
-  const Outcome outcome = check(file("minimal"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  expect_text(outcome, "not judged states: a minimal trace has no full states to judge");
-  // The third event left out: its particles come with other velocities than they were left with.
-  std::size_t begin = 0;
-  for (int n = 0; n < 3; ++n) begin = text.find('\n', begin) + 1;
-  const std::size_t end = text.find('\n', begin) + 1;
-  write("dropped", text.substr(0, begin) + text.substr(end));
-  EXPECT_EQ(check(file("dropped")).exit_code, 1);
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, Minimal,
-                         testing::Values("three_body", "pair", "gas", "sheet", "terminal",
-                                         "three_body_grouped"),
-                         [](const auto& tested) { return std::string(tested.param); });
-
 }  // namespace
+}  // namespace tps

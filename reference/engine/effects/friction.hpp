@@ -11,6 +11,7 @@
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/spin_coupling.hpp"
+#include "reference/engine/state_numbers.hpp"
 
 namespace tps::effects {
 
@@ -21,25 +22,38 @@ class FrictionEffect final : public Effect<Scalar, D> {
   std::string_view name() const override { return "friction"; }
   void begin(World<Scalar, D>& world, int) override {
     auto coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene);
-    lost_ = &coupling->lost();
+    coupling_ = coupling.get();
     world.coupling = std::move(coupling);
   }
   void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) override {}
 
   using Numbers = typename Effect<Scalar, D>::Numbers;
   Numbers numbers(const World<Scalar, D>&) const override {
-    return {{"friction_lost", {lost_->sum.total(), lost_->sum.rest()}}};
+    return {{"friction_lost", {coupling_->lost().sum.total(), coupling_->lost().sum.rest()}}};
   }
   void take_numbers(World<Scalar, D>&, const Numbers& numbers) override {
     const std::vector<Scalar>& kept = numbers.at("friction_lost");
-    lost_->sum = {kept.at(0), kept.at(1)};
+    coupling_->lost().sum = {kept.at(0), kept.at(1)};
   }
   typename Effect<Scalar, D>::Energies energies(const World<Scalar, D>&, const Time<Scalar>&) const override {
-    return {{lost_->what, lost_->sum.value()}};
+    return {{coupling_->lost().what, coupling_->lost().sum.value()}};
+  }
+
+  void save(const World<Scalar, D>& world, StateData& state) const override {
+    for (int i = 0; i < world.size(); ++i) {
+      if (!keeps_spin(world.scene, world.species(i))) continue;
+      state.particles[world.index(i)].spin = detail::vector_data<Scalar, kSpin>(coupling_->spin(i));
+    }
+  }
+  void load(World<Scalar, D>&, const StateData& state, const IndexOfId& index_of) override {
+    for (const StateData::Particle& p : state.particles) {
+      if (!p.spin.empty()) coupling_->set_spin(index_of.at(p.id), detail::vector_from<Scalar, kSpin>(p.spin));
+    }
   }
 
  private:
-  EnergyShare<Scalar>* lost_ = nullptr;  ///< of the world's coupling
+  static constexpr int kSpin = SpinCoupling<Scalar, D>::kSize;
+  SpinCoupling<Scalar, D>* coupling_ = nullptr;  ///< owned by the world
 };
 
 struct friction {

@@ -6,6 +6,7 @@
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/group_coupling.hpp"
+#include "reference/engine/group_state.hpp"
 
 namespace tps::effects {
 
@@ -34,6 +35,15 @@ class Grouping final : public Effect<Scalar, D> {
 
   void respond(World<Scalar, D>& world, const PendingEvent<Scalar>& event) override {
     coupling_->restitute(world, event.first);
+  }
+
+  void save(const World<Scalar, D>& world, StateData& state) const override {
+    for (const GroupBody<Scalar, D>* body : coupling_->forest().bodies())
+      state.groups.push_back(detail::group_data(world, coupling_->forest(), *body));
+  }
+  void load(World<Scalar, D>&, const StateData& state, const IndexOfId& index_of) override {
+    for (const StateData::Group& group : state.groups)
+      detail::restore_group(coupling_->forest(), group, index_of);
   }
 
  private:

@@ -1,5 +1,6 @@
 """What all lies have in common: when they are told, and which rule of `tps check` has to catch them."""
-from simulator import COLLISION, Honesty
+from happenings import COLLISION
+from honesty import Honesty
 
 LIES = {}
 

@@ -3,7 +3,7 @@ import functools
 
 from lie import CERTIFIED, GROUPED, Lie, lie
 from numbers_of_traces import after
-from simulator import COLLISION, IMPULSE, PHASE, RESTITUTION, Event
+from happenings import COLLISION, IMPULSE, PHASE, RESTITUTION, Event
 
 
 class OutOfOrder(Lie):

@@ -1,4 +1,4 @@
-"""Lies about bystanders, what is written down, full states and the end."""
+"""Lies about bystanders, what is written down, and full states."""
 import copy
 import math
 
@@ -283,35 +283,3 @@ class StateOtherProgress(State):
             return False
         state["progress"][next(iter(state["progress"]))] += 1
         return True
-
-
-class Ending(Lie):
-    def ending(self, sim, end):
-        self.tell()
-        return self.instead(sim, end)
-
-
-@lie("end", ALL, minimal=True)
-class EndCountsOneMore(Ending):
-    def instead(self, sim, end):
-        return {**end, "events": end["events"] + 1}
-
-
-@lie("end", ALL, minimal=True)
-class EndBeforeTheLastEvent(Ending):
-    def instead(self, sim, end):
-        return {**end, "t": after(sim.last, -1e-3)}
-
-
-@lie("end", ALL, minimal=True)
-class EndBehindTheLastEvent(Ending):
-    """By its limit of events a run ends at its last one."""
-
-    def instead(self, sim, end):
-        return {**end, "t": after(sim.last, 1e-9)}
-
-
-@lie("progress end", ALL, minimal=True)
-class EndSaysStalled(Ending):
-    def instead(self, sim, end):
-        return {**end, "end": "stalled"}

@@ -5,7 +5,7 @@ import math
 from lie import ALL, CERTIFIED, PLAIN, Hiding, Lie, is_pair, lie, pair_key
 from numbers_of_traces import after, dot, elapsed, minus
 from responses import collision_impulse
-from simulator import COLLISION, Event
+from happenings import COLLISION, Event
 from timing import INNER
 
 

@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 # Each registers its lies.
-import lies_of_misses, lies_of_time, lies_of_order, lies_of_impulse, lies_of_groups, lies_of_tethers, lies_of_state  # noqa: E401,F401
+import lies_of_misses, lies_of_time, lies_of_order, lies_of_impulse, lies_of_groups, lies_of_tethers, lies_of_state, lies_of_ends  # noqa: E401,F401
 from lie import LIES
 from liars_scenes import SCENES
 from simulator import Simulator

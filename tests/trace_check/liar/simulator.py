@@ -1,65 +1,23 @@
 """A small event-driven simulator of its own, honest unless a lie is put into it (lies.py).
 
 All pairs are asked at every step; nothing is fast, nothing is shared with reference/. A lie overrides one of the
-hooks of Honesty, once; the simulation goes on from whatever it did.
+hooks of Honesty (honesty.py), once; the simulation goes on from whatever it did.
 """
-import functools
 import math
 
 from groups import Forest, Node, leaves, preorder
+from happenings import IMPULSE, PHASE, RESTITUTION, Hit
+from honesty import Honesty
 from laws import Laws
-from numbers_of_traces import after, elapsed, exact, norm, plus
+from numbers_of_traces import after, elapsed, norm, plus
 from philox import TETHER_BREAK, TETHER_FORM, uniform
-from responses import (Frame, apply_impulse, collision_impulse, load_velocity, restitution_impulse, retraction_suffices, revolution_impulse)
-from timing import INNER, OUTER, compare, exact_root, stable_time
+from responses import (apply_impulse, collision_impulse, load_velocity, restitution_impulse, retraction_suffices, revolution_impulse)
+from schedule import Schedule
+from timing import INNER, OUTER
 from trace_text import Writer
 
-RESTITUTION, PHASE, IMPULSE, COLLISION = range(4)
 
-
-class Honesty:
-    """What a lie may change. Every hook says the truth here."""
-
-    def begin(self, sim): pass
-    def stops(self, sim): return False
-    def candidates(self, sim, events): return events
-    def chosen(self, sim, event, events): return event
-    def brought(self, sim, i, x): return x
-    def impulse(self, sim, hit): pass
-    def tether(self, sim, hit): pass
-    def applied(self, sim, hit, velocities): return velocities
-    def loaded(self, sim, hit, v_load, dp_stored): return v_load, dp_stored
-    def expiry(self, sim, hit, expiry): return expiry
-    def members(self, sim, record, members): return members
-    def unwinding(self, sim, body, nodes): return nodes
-    def pushed(self, sim, particle, impulse): return particle, impulse
-    def phase(self, sim, opens, phase): return opens
-    def recorded(self, sim, record): return record
-    def state(self, sim, state): return state
-    def ending(self, sim, end): return end
-
-
-class Event:
-    def __init__(self, time, rank, i=-1, j=-1, limit=INNER, start=None, root=None):
-        self.time, self.rank, self.i, self.j, self.limit = time, rank, i, j, limit
-        self.start, self.root = start if start is not None else exact(time), root
-        self.record = {}
-
-    def ties(self):
-        return (self.rank, self.i, self.j, self.limit == OUTER)
-
-
-class Hit:
-    """A collision of two bodies on its way from frame to answer."""
-
-    def __init__(self, sim, event):
-        self.i, self.j, self.limit = event.i, event.j, event.limit
-        self.frame = Frame(sim.place(event.i), sim.place(event.j), sim.v[event.i], sim.v[event.j])
-        self.m_i, self.m_j = sim.body_mass(event.i), sim.body_mass(event.j)
-        self.dp, self.answered, self.kind, self.record = tuple(0.0 for _ in sim.v[0]), False, "rebound", {}
-
-
-class Simulator:
+class Simulator(Schedule):
     def __init__(self, scene, timing="certified", state_every=7, lie=None):
         self.laws, self.timing, self.lie = Laws(scene), timing, lie or Honesty()
         self.scene, self.n = scene, len(scene["particles"])
@@ -116,64 +74,6 @@ class Simulator:
 
     def tethered(self, i, j):
         return self.laws.tethering(i, j) is not None and (self.laws.permanent(i, j) or (i, j) in self.tethers)
-
-    # What comes next
-
-    def ask(self, i, j, limit, length, only_hit):
-        """The pair's next event at one limit, by the two stored states alone."""
-        start = max(self.clock[i], self.clock[j])
-        key = (i, j, limit, only_hit)
-        seen = (self.x[i], self.x[j], self.v[i], self.v[j], self.clock[i], self.clock[j])
-        if self.asked.get(key, (None,))[0] == seen:
-            return self.asked[key][1]
-        states = self.place_at(i, start), self.place_at(j, start), self.v[i], self.v[j]
-        event = None
-        if self.timing == "certified":
-            root = exact_root(*states, length, limit, only_hit)
-            if root:
-                event = Event(after(start, root.rounded()), COLLISION, i, j, limit, exact(start), root)
-        else:
-            t = stable_time(*states, length, limit, only_hit)
-            if t is not None:
-                event = Event(after(start, t), COLLISION, i, j, limit)
-        self.asked[key] = (seen, event)
-        return event
-
-    def pair_events(self, i, j):
-        if (self.forest and self.forest.together(i, j)) or math.isinf(min(self.body_mass(i), self.body_mass(j))):
-            return
-        blocking, tethering = self.laws.blocking(i, j), self.laws.tethering(i, j)
-        if blocking and not self.has_responded(i, j, INNER):
-            yield self.ask(i, j, INNER, float(blocking["distance"]), False)
-        if tethering and self.tethered(i, j):
-            yield self.ask(i, j, OUTER, float(tethering["distance"]), self.has_responded(i, j, OUTER))
-
-    def all_events(self):
-        events = [e for i in range(self.n) for j in range(i + 1, self.n) for e in self.pair_events(i, j) if e]
-        for body in self.forest.bodies() if self.forest else []:
-            events.append(Event(body.expiry, RESTITUTION, body.members[0], body.members[0]))
-        if self.phases_done < len(self.laws.changes):
-            events.append(Event((self.laws.changes[self.phases_done][0], 0.0), PHASE))
-        if self.impulses_done < len(self.laws.impulses):
-            events.append(Event((self.laws.impulses[self.impulses_done][0], 0.0), IMPULSE))
-        return events
-
-    def order(self, a, b):
-        """Negative where a comes before b."""
-        if self.timing == "certified":
-            apart = abs(a.time[0] - b.time[0])
-            if apart <= 2.0**-40 * max(abs(a.time[0]), abs(b.time[0])):
-                exactly = compare(a.start, a.root, b.start, b.root)
-                return exactly or (-1 if a.ties() < b.ties() else a.ties() > b.ties())
-        key_a, key_b = (a.time, a.ties()), (b.time, b.ties())
-        return -1 if key_a < key_b else key_a > key_b
-
-    def next_event(self):
-        events = self.lie.candidates(self, self.all_events())
-        if not events:
-            return None
-        events.sort(key=functools.cmp_to_key(self.order))
-        return self.lie.chosen(self, events[0], events)
 
     # What happens
 
