@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "properties/implementations/equations_by_name.hpp"
+#include "properties/implementations/equations.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "verify/protocol/conversation.hpp"
 
@@ -22,13 +22,15 @@ class Certified final : public Implementation {
 }  // namespace
 
 std::vector<std::string> reference_names() {
-  return {"float", "double", "long-double", "quad", "mp50", "mp100", "certified"};
+  std::vector<std::string> names = scalar_names();
+  names.emplace_back("certified");
+  return names;
 }
 
 std::unique_ptr<Implementation> reference(const std::string& name) {
-  if (name == "certified") return std::make_unique<Certified>();
-  if (name == "float" || name == "double" || name == "long-double") return equations_in_built_in(name);
-  return equations_in_wide(name);
+  const std::optional<ScalarKind> scalar = scalar_kind(name);
+  if (scalar) return equations_in(*scalar);
+  return std::make_unique<Certified>();
 }
 
 }  // namespace tps::properties

@@ -20,6 +20,12 @@ namespace tps {
 /// The scalars that the engine is compiled for, by their names in commands and files.
 enum class ScalarKind { float_, double_, long_double, quad, mp50, mp100 };
 
+/// Of its significand: 24, 53, 64, 113, 168, 334.
+constexpr int significant_bits(ScalarKind scalar) {
+  constexpr int kBits[] = {24, 53, 64, 113, 168, 334};
+  return kBits[static_cast<int>(scalar)];
+}
+
 /// "float", "double", "long-double", "quad", "mp50", "mp100", in this order.
 const std::vector<std::string>& scalar_names();
 /// Nothing for an unknown name.

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "reference/run/run.hpp"
 #include "verify/cost/enclosed_run.hpp"
 #include "verify/cost/traced_run.hpp"
 #include "verify/cost/wanted.hpp"
@@ -112,9 +112,7 @@ void add_scene(RunLevel& level, const std::string& name, const Scene& scene, con
 }  // namespace
 
 int bits_of(const std::string& scalar) {
-  static const std::map<std::string, int> bits = {{"float", 24}, {"double", 53}, {"long-double", 64},
-                                                  {"quad", 113}, {"mp50", 168},  {"mp100", 334}};
-  return bits.at(scalar);
+  return significant_bits(scalar_kind(scalar).value());
 }
 
 double HorizonFit::exponent() const {
