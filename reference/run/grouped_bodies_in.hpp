@@ -47,8 +47,12 @@ class GroupedBodiesIn {
   void load(const GroupedBodies::Collision& c) {
     const int i = std::min(c.i, c.j), j = std::max(c.i, c.j);
     Record<Scalar, D> record = world_.open_record("load", i, j);
-    Collision<Scalar, D> collision{
-        i, j, c.limit, {}, coupling_.body_mass(world_, i), coupling_.body_mass(world_, j), {}};
+    Collision<Scalar, D> collision{};
+    collision.i = i;
+    collision.j = j;
+    collision.limit = c.limit;
+    collision.mass_i = coupling_.body_mass(world_, i);
+    collision.mass_j = coupling_.body_mass(world_, j);
     const PairPlaces<Scalar, D>& places = world_.places(i, j);
     collision.frame =
         collision_frame<Scalar, D>(places.u_i, places.u_j, world_.velocity(i), world_.velocity(j));
