@@ -67,6 +67,10 @@ WideVector vector_of(const std::string& op, const char* key, const Json& value, 
           dimension > 2 ? number_of(op, key, value[2]) : Wide(0)};
 }
 
+const char* name_of(TimingKind kind) {
+  return kind == TimingKind::block ? "block_time" : "tether_time";
+}
+
 Json hex(double x) {
   return write_hex_float(x);
 }
@@ -111,6 +115,16 @@ Json Interview::ask(const std::string& op, Json in) {
   }
 }
 
+std::vector<TimingKind> Interview::timing_kinds() const {
+  const auto offered = subject_.offered();
+  std::vector<TimingKind> kinds{TimingKind::block, TimingKind::tether};
+  if (!offered) return kinds;
+  std::erase_if(kinds, [&](TimingKind kind) {
+    return std::find(offered->begin(), offered->end(), name_of(kind)) == offered->end();
+  });
+  return kinds;
+}
+
 Wide Interview::distance(const PairState& pair, double dt) {
   Json in = pair_input(pair);
   in["dt"] = hex(dt);
@@ -118,7 +132,7 @@ Wide Interview::distance(const PairState& pair, double dt) {
 }
 
 Time Interview::time(const LimitQuery& query) {
-  const char* op = query.kind == TimingKind::block ? "block_time" : "tether_time";
+  const char* op = name_of(query.kind);
   Json in = pair_input(query.pair);
   in["L"] = hex(query.L);
   const Json out = ask(op, in);

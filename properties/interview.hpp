@@ -66,6 +66,9 @@ class Interview {
   /// A result as it is passed on.
   Vec3 passed(const WideVector& x) const;
 
+  /// Those of the two timing queries that the subject offers; both where it does not say.
+  std::vector<TimingKind> timing_kinds() const;
+
   /// All of these throw Unanswered where there is no answer, and interrupt::Interrupted.
   Wide distance(const PairState& pair, double dt);
   Time block_time(const PairState& pair, double L);

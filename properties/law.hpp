@@ -25,7 +25,13 @@ struct Law {
   std::vector<std::string> operations;                ///< those that it asks
   std::function<rc::Gen<Case>(const Format&)> cases;  ///< generated with shrinking
   std::function<Outcome(Interview&, const Case&)> check;
+  bool is_of_each = false;  ///< says the same of each operation: it is asked of those that are offered
 };
+
+constexpr bool kOfEach = true;
+
+/// Whether what is offered suffices.
+bool can_be_asked(const Law& law, const std::vector<std::string>& offered);
 
 /// All of them, in the order of the paper.
 const std::vector<Law>& laws();

@@ -44,6 +44,14 @@ const std::vector<Law>& laws() {
   return table;
 }
 
+bool can_be_asked(const Law& law, const std::vector<std::string>& offered) {
+  const auto is_offered = [&](const std::string& op) {
+    return std::find(offered.begin(), offered.end(), op) != offered.end();
+  };
+  return law.is_of_each ? std::any_of(law.operations.begin(), law.operations.end(), is_offered)
+                        : std::all_of(law.operations.begin(), law.operations.end(), is_offered);
+}
+
 const Law* find_law(std::string_view id) {
   const auto& table = laws();
   const auto found =

@@ -57,6 +57,7 @@ class ChildProcess {
   pid_t guard_ = -1, program_ = -1;
   int to_child_ = -1, from_child_ = -1, errors_ = -1, orders_ = -1, reports_ = -1;
   std::string unsent_, buffer_, written_errors_;
+  bool errors_are_cut_ = false;
   bool has_ended_ = false;
   int status_ = 0;
 };

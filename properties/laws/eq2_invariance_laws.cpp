@@ -13,13 +13,13 @@ namespace {
 
 const std::vector<std::string> kBoth{"block_time", "tether_time"};
 
-/// Both queries answer alike, bitwise, about the case's pair and another one.
-Outcome same_times(Interview& ask, const char* what, const Case& c, const PairState& other) {
-  const auto check = [&](TimingKind kind, const char* op) {
+/// Each query answers alike, bitwise, about the case's pair and another one.
+Outcome same_times(Interview& ask, const std::string& what, const Case& c, const PairState& other) {
+  return of_each_kind(ask, [&](TimingKind kind) {
     const LimitQuery one{kind, other, c.number("L")}, two{kind, c.pair(), c.number("L")};
-    return same_to(std::string(what) + op, {one, ask.time(one)}, {two, ask.time(two)}, 0, ask.u());
-  };
-  return all_of(check(TimingKind::block, ", block_time"), check(TimingKind::tether, ", tether_time"));
+    const char* op = kind == TimingKind::block ? ", block_time" : ", tether_time";
+    return same_to(what + op, {one, ask.time(one)}, {two, ask.time(two)}, 0, ask.u());
+  });
 }
 
 Outcome swap_of_names(Interview& ask, const Case& c) {
@@ -44,7 +44,7 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
                 asked({kind, scaled(p, power, power), std::ldexp(L, power)}), at, 0, ask.u()),
         same_to("velocities times 2^power", asked({kind, scaled(p, 0, power), L}), at, -power, ask.u()));
   };
-  return all_of(check(TimingKind::block), check(TimingKind::tether));
+  return of_each_kind(ask, check);
 }
 
 void with_signs(Case& c, const Format& format) {
@@ -99,7 +99,7 @@ Outcome rotations(Interview& ask, const Case& c) {
       return broken("turned: " + text(of_turned) + "; before: " + text(at));
     return arrives(query, of_turned, ask.u());
   };
-  return all_of(check(TimingKind::block), check(TimingKind::tether));
+  return of_each_kind(ask, check);
 }
 
 void in_motion(Case& c, const Format& format) {
@@ -140,7 +140,8 @@ void add_laws(std::vector<Law>& laws) {
   laws.push_back({{"Eq2Laws.Law1SwapOfNames", "(2) law 1", "A and B may be exchanged, bitwise", page},
                   kBoth,
                   cases(put_pair),
-                  swap_of_names});
+                  swap_of_names,
+                  kOfEach});
   laws.push_back(
       {{"Eq2Laws.Law2PowersOfTwo", "(2) law 2",
         "lengths and velocities times 2^k leave verdict and t as they are, velocities alone divide t by "
@@ -148,16 +149,19 @@ void add_laws(std::vector<Law>& laws) {
         page},
        kBoth,
        cases(with_powers),
-       powers_of_two});
+       powers_of_two,
+       kOfEach});
   laws.push_back({{"Eq2Laws.Law7Reflections", "(2) law 7", "axes may be reflected, bitwise", page},
                   kBoth,
                   cases(with_signs),
-                  reflections});
+                  reflections,
+                  kOfEach});
   laws.push_back({{"Eq2Laws.Law8Rotations", "(2) law 8",
                    "axes may be exchanged: bitwise in the plane, to rounding in space", page},
                   kBoth,
                   cases(with_rotation),
-                  rotations});
+                  rotations,
+                  kOfEach});
   laws.push_back(
       {{"Eq2Laws.Law9GalileanShifts", "(2) law 9",
         "a common offset of positions, and one of velocities, matter to nothing where they are exact, "
@@ -165,7 +169,8 @@ void add_laws(std::vector<Law>& laws) {
         page},
        kBoth,
        cases(in_motion),
-       galilean_shifts});
+       galilean_shifts,
+       kOfEach});
 }
 
 }  // namespace tps::properties::invariance

@@ -12,15 +12,14 @@ namespace {
 
 const std::vector<std::string> kBoth{"block_time", "tether_time"};
 
-/// Holds for both kinds of limit.
+/// Holds for each kind of limit.
 template <typename Check>
-Outcome for_both(const Case& c, Check check) {
-  return all_of(check(LimitQuery{TimingKind::block, c.pair(), c.number("L")}),
-                check(LimitQuery{TimingKind::tether, c.pair(), c.number("L")}));
+Outcome for_each_limit(const Interview& ask, const Case& c, Check check) {
+  return of_each_kind(ask, [&](TimingKind kind) { return check(LimitQuery{kind, c.pair(), c.number("L")}); });
 }
 
 Outcome a_hit_is_at_the_limit(Interview& ask, const Case& c) {
-  return for_both(c, [&](const LimitQuery& q) { return arrives(q, ask.time(q), ask.u()); });
+  return for_each_limit(ask, c, [&](const LimitQuery& q) { return arrives(q, ask.time(q), ask.u()); });
 }
 
 // Two limits farther apart than both landings can err are passed in their order.
@@ -44,7 +43,7 @@ void two_limits(Case& c, const Format& format) {
 }
 
 Outcome a_time_goes_with_its_verdict(Interview& ask, const Case& c) {
-  return for_both(c, [&](const LimitQuery& q) {
+  return for_each_limit(ask, c, [&](const LimitQuery& q) {
     const Time at = ask.time(q);
     const auto is = [&](std::initializer_list<const char*> verdicts) {
       return std::find(verdicts.begin(), verdicts.end(), at.verdict) != verdicts.end();
@@ -61,14 +60,14 @@ Outcome a_time_goes_with_its_verdict(Interview& ask, const Case& c) {
 }
 
 Outcome away_from_boundaries_the_verdict_is_right(Interview& ask, const Case& c) {
-  int uncertain = 0;
-  const Outcome both = for_both(c, [&](const LimitQuery& q) {
+  std::size_t uncertain = 0;
+  const Outcome all = for_each_limit(ask, c, [&](const LimitQuery& q) {
     const auto certain = certain_verdict(q, ask.u());
     if (certain) return same("verdict, and the right one", ask.time(q).verdict, std::string(name(*certain)));
     ++uncertain;
     return Outcome{};
   });
-  return uncertain == 2 ? outside("rounding may decide both verdicts") : both;
+  return uncertain == ask.timing_kinds().size() ? outside("rounding may decide every verdict") : all;
 }
 
 }  // namespace
@@ -86,20 +85,23 @@ void add_laws(std::vector<Law>& laws) {
         "at the time of a hit the distance is L to 20u (|r| + L), at that of a turning r·v = 0", page},
        kBoth,
        cases(put_pair),
-       a_hit_is_at_the_limit});
+       a_hit_is_at_the_limit,
+       kOfEach});
   laws.push_back(
       {{"Eq2Laws.Law5ATimeGoesWithItsVerdict", "(2) law 5",
         "t is 0 where the verdict is at once, absent where nothing occurs, at least 0 elsewhere", page},
        kBoth,
        cases(put_pair),
-       a_time_goes_with_its_verdict});
+       a_time_goes_with_its_verdict,
+       kOfEach});
   laws.push_back({{"Eq2Laws.Law6AwayFromBoundariesTheVerdictIsRight", "(2) law 6",
                    "where rounding cannot decide, by the errors of a stable evaluation or since there is "
                    "none, the verdict is the exact one",
                    page},
                   kBoth,
                   cases(put_pair),
-                  away_from_boundaries_the_verdict_is_right});
+                  away_from_boundaries_the_verdict_is_right,
+                  kOfEach});
 }
 
 }  // namespace tps::properties::timing

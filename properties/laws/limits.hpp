@@ -93,6 +93,14 @@ inline Outcome arrives(const LimitQuery& query, const Time& at, const Wide& u) {
                  landing_error(q, u));
 }
 
+/// What `check` says of each of the two timing queries that the subject offers, by its kind.
+template <typename Check>
+Outcome of_each_kind(const Interview& ask, Check check) {
+  Outcome all;
+  for (const TimingKind kind : ask.timing_kinds()) all = all_of(std::move(all), check(kind));
+  return all;
+}
+
 /// An answer and its question, which real arithmetic answers as it does another one, times 2^power.
 struct TimedAnswer {
   LimitQuery query;

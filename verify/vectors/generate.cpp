@@ -46,7 +46,7 @@ std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent
   return json_text(header) + "\n";
 }
 
-std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t number) {
+Json case_object(const Stratum& stratum, std::uint64_t seed, std::uint64_t number) {
   const auto together = static_cast<std::uint64_t>(stratum.together);
   Random random(seed, stratum.file_name(), number / together);
   const Problem problem = stratum.problem(random, number);
@@ -57,7 +57,11 @@ std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t 
   if (together == 2) line["twin"] = id(number ^ 1U);
   line["level"] = number < kSmokeCases ? 1 : number < static_cast<std::uint64_t>(stratum.committed) ? 2 : 3;
   line["accept"] = stratum.accept;
-  return json_text(line) + "\n";
+  return line;
+}
+
+std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t number) {
+  return json_text(case_object(stratum, seed, number)) + "\n";
 }
 
 void write_stratum(const Stratum& stratum, std::uint64_t seed, const Extent& extent,

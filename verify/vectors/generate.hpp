@@ -27,7 +27,10 @@ Extent extent_of(const Stratum& stratum, int level, std::uint64_t count_at_level
 /// The header line of a file, with its newline.
 std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent& extent);
 
-/// One case line, with its newline. A function of seed, stratum and number alone.
+/// One case. A function of seed, stratum and number alone.
+Json case_object(const Stratum& stratum, std::uint64_t seed, std::uint64_t number);
+
+/// Its line, with its newline. A function of seed, stratum and number alone.
 std::string case_line(const Stratum& stratum, std::uint64_t seed, std::uint64_t number);
 
 /// A whole file, given to `write` line by line.

@@ -28,6 +28,36 @@ Json vector_of(const Vec3& x, int dimension) {
   return hex(std::vector<double>(x.begin(), x.begin() + dimension));
 }
 
+/// A question with hexadecimal floats for every number, as generators write it: most are such, and reading
+/// them costs as much as answering them. Nothing where another spelling, or a refusal, may be right.
+std::optional<TimingQuery> spelt_by_us(Kind kind, const Json& in) {
+  constexpr std::array<const char*, 4> kVectors{"u_A", "u_B", "v_A", "v_B"};
+  const auto number = [](const Json& value) {
+    const HexFloat x = value.is_string() ? parse_hex_float(value.get_ref<const std::string&>()) : HexFloat{};
+    return x.verdict == HexFloat::Verdict::exact && std::isfinite(x.value) ? std::optional(x.value)
+                                                                           : std::nullopt;
+  };
+  if (kind == Kind::plane || !in.is_object() || in.size() != kVectors.size() + 1) return std::nullopt;
+  std::array<Vec3, kVectors.size()> x{};
+  std::size_t dimension = 0;
+  for (std::size_t n = 0; n < kVectors.size(); ++n) {
+    const auto vector = in.find(kVectors[n]);
+    if (vector == in.end() || !vector->is_array() || vector->size() < 2 || vector->size() > 3)
+      return std::nullopt;
+    if (n == 0) dimension = vector->size();
+    if (vector->size() != dimension) return std::nullopt;
+    for (std::size_t k = 0; k < dimension; ++k) {
+      const auto component = number((*vector)[k]);
+      if (!component) return std::nullopt;
+      x[n][k] = *component;
+    }
+  }
+  const auto L = in.find("L");
+  const auto limit = L == in.end() ? std::nullopt : number(*L);
+  if (!limit || !(*limit > 0)) return std::nullopt;
+  return TimingQuery{kind, x[0], x[1], x[2], x[3], *limit};
+}
+
 void add_bracket(const TimeBracket& b, Json& answer, Json& signs) {
   answer["t"] = {hex(b.lo), hex(b.hi)};
   answer["nearest"] = b.nearest == b.lo ? "lo" : "hi";
@@ -128,6 +158,7 @@ Json timing_input(const TimingQuery& query, int dimension) {
 }
 
 TimingQuery read_timing_input(Kind kind, const Json& in) {
+  if (const auto query = spelt_by_us(kind, in)) return *query;
   const eval::Operation& operation = *eval::find_operation(certified::operation_of(kind));
   return certified::TimingInput{kind, eval::read_value(operation, question_value(in), kQuestion, "/in")}
       .query();

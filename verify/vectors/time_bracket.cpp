@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "verify/exact/lifted_query.hpp"
 #include "verify/exact/plane_time.hpp"
@@ -100,10 +100,9 @@ TimeBracket bracket(const Branch& branch, double nearest) {
 }
 
 std::string text(const Integer& x, int exponent) {
-  std::ostringstream out;
-  out << (x < 0 ? "-0x" : "0x") << std::hex << abs(x) << std::dec << "p" << (exponent < 0 ? "" : "+")
-      << exponent;
-  return x == 0 ? "0x0p+0" : out.str();
+  if (x == 0) return "0x0p+0";
+  return (x < 0 ? "-0x" : "0x") + abs(x).str(0, std::ios_base::hex) + (exponent < 0 ? "p" : "p+") +
+         std::to_string(exponent);
 }
 
 void check_filter(Verdict verdict, const exact::TimingAnswer& filtered) {
