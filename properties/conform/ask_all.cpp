@@ -10,6 +10,7 @@
 #include "properties/conform/ask_steps.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/implementations/program.hpp"
+#include "verify/protocol/catalogue.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -41,13 +42,33 @@ void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict
   const auto offered = subject.offered();
   if (offered ? !has(*offered, kNextEvent) : has(verdict.not_offered, kNextEvent)) return;
   if (!wanted(plan.ops, kNextEvent) || subject.format().bits < kBitsOfStates) return;
+  const auto rows = step_rows();
+  if (std::none_of(rows.begin(), rows.end(),
+                   [&](const std::string& row) { return wanted(plan.strata, row); }))
+    return;
   StepPlan steps;
   steps.features = plan.features;
   if (plan.level == 1) steps.scenes = steps.steps = 10;
   steps.is_asked = [&plan](const std::string& row) { return wanted(plan.strata, row); };
+  steps.commands_of = [&plan](const Question& question) { return plan.commands_of(question); };
   steps.stops = plan.stops;
   steps.progress = plan.progress;
   ask_steps(subject, steps, verdict);
+}
+
+/// An operation that --ops names, and that the subject does not offer, is refused.
+void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, Verdict& verdict) {
+  const auto offered = subject.offered();
+  for (const std::string& op : plan.ops) {
+    if (protocol::find_entry(op) == nullptr) continue;  // a pattern
+    if (offered ? has(*offered, op) : !has(verdict.not_offered, op)) continue;
+    std::erase(verdict.not_offered, op);
+    Row row{area_of(op), op + ".offered", op, "offered", page_of(op)};
+    row.add({Class::refused, "asked for by --ops, and not offered"}, [&] {
+      return Example{Class::refused, op, {}, {}, {}};
+    });
+    verdict.rows.push_back(std::move(row));
+  }
 }
 
 bool simulates(const Implementation& subject, const Plan& plan) {
@@ -75,6 +96,7 @@ void ask_all(Implementation& subject, const Plan& plan, Verdict& verdict) {
   ask_next_events(subject, taken, verdict);
   if (plan.strata.empty()) ask_laws(subject, taken, verdict);
   if (simulates(subject, taken)) ask_simulator(operation_runs(subject), taken, verdict);
+  refuse_what_is_asked_for(subject, taken, verdict);
   if (const std::string why = subject.given_up(); !why.empty())
     verdict.notes["given up"] = why + "; what follows was not asked";
 }

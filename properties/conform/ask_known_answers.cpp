@@ -14,6 +14,7 @@
 #include "properties/conform/probe.hpp"
 #include "properties/conform/takes.hpp"
 #include "properties/explore/report.hpp"
+#include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/reference.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
@@ -61,9 +62,8 @@ class KnownAnswers {
     const Selection selection{plan_.level, [this](const std::string& op) { return is_asked(op); },
                               [this](const std::string& name) { return wanted(plan_.strata, name); },
                               subject_.takes_outer_groups()};
-    for_known_questions(selection, subject_.format(), [this](const Stratum& stratum) {
+    for_known_questions(selection, subject_.format(), [this](Stratum taken) {
       if (plan_.stops() || !subject_.given_up().empty()) return false;
-      Stratum taken = stratum;
       std::erase_if(taken.cases,
                     [this](const KnownQuestion& each) { return !takes(subject_.features(), each.question); });
       if (!taken.cases.empty() && offers(taken)) ask(taken);
@@ -114,7 +114,8 @@ class KnownAnswers {
   }
 
   void judge(const KnownQuestion& known, const Answer& answer, Row& row) {
-    if (answer.status == Answer::Status::failed) return verdict_.note_failure(known.id, answer.reason);
+    if (answer.status == Answer::Status::failed)
+      return verdict_.note_failure({known.id, answer.reason, plan_.commands_of(known.question)});
     note_numbers(answer.out, verdict_.environment);
     const Format format = subject_.format();
     const Grade found = grade(known, answer, format, *stable_);
@@ -123,13 +124,14 @@ class KnownAnswers {
     } else if (row.reference && *score) {
       ++*row.reference;
     }
-    Example shown{found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in),
-                  0,           0};
-    if (answer.status == Answer::Status::answered) {
-      shown.found = json_text(answer.out);
-      shown.right = json_text(nearest_of(known));
-    }
-    row.add(found, std::move(shown));
+    row.add(found, [&] {
+      Example shown{found.which, known.id, {}, {command_of(known.question)}, json_text(known.question.in)};
+      if (answer.status == Answer::Status::answered) {
+        shown.found = json_text(answer.out);
+        shown.right = json_text(nearest_of(known));
+      }
+      return shown;
+    });
     if (found.which != Class::wrong) return;
     for (const std::string& name : hypotheses_fitting(known, answer.out)) ++row.hypotheses[name];
   }
@@ -157,6 +159,12 @@ bool wanted(const std::vector<std::string>& list, const std::string& name) {
          });
 }
 
+std::vector<std::string> Plan::commands_of(const Question& question) const {
+  std::vector<std::string> commands{command_of(question)};
+  if (!command.empty()) commands.push_back(fmt::format("echo '{}' | {}", request_line(1, question), command));
+  return commands;
+}
+
 std::string area_of(const std::string& op) {
   return std::string(protocol::find_entry(op)->part);
 }
@@ -168,7 +176,7 @@ std::string page_of(const std::string& op) {
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {
   verdict.environment.bits = subject.format().bits;
   if (const auto failure = probe(subject, verdict.environment))
-    verdict.note_failure("the first questions", *failure);
+    verdict.note_failure({"the first questions", failure->reason, plan.commands_of(failure->question)});
   KnownAnswers(subject, plan, verdict).ask();
 }
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <memory>
 
 #include "properties/check_law.hpp"
@@ -12,6 +14,7 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/text/plain_json.hpp"
+#include "verify/protocol/catalogue.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties::conform {
@@ -30,9 +33,11 @@ constexpr const char* kAcceptedGroup = "K(64)";
 /// Hands on, sees what kind of answers come, and gives up at a moment, which ends shrinking.
 class Watched final : public Implementation {
  public:
-  explicit Watched(Implementation& subject) : subject_(subject) {}
+  Watched(Implementation& subject, std::vector<std::string> offered)
+      : subject_(subject), offered_(std::move(offered)) {}
   std::string name() const override { return subject_.name(); }
   Format format() const override { return subject_.format(); }
+  std::optional<std::vector<std::string>> offered() const override { return offered_; }
   std::string given_up() const override {
     return end && Clock::now() > *end ? "the time for shrinking is over" : subject_.given_up();
   }
@@ -42,19 +47,20 @@ class Watched final : public Implementation {
       return {Answer::Status::skipped, {}, "it does not take such questions"};
     }
     Answer answer = subject_.ask(question);
-    failed = failed || answer.status == Answer::Status::failed;
+    if (answer.status == Answer::Status::failed) failed_at = question;
     times_alone = times_alone ||
                   (answer.out.is_object() && answer.out.contains("t") && !answer.out.contains("verdict"));
     return answer;
   }
 
-  bool failed = false;       ///< a crash, a hang, a breach of the protocol
-  bool untaken = false;      ///< a question that the features of hello exclude
-  bool times_alone = false;  ///< a time without a verdict, which laws need
+  std::optional<Question> failed_at;  ///< a crash, a hang, a breach of the protocol
+  bool untaken = false;               ///< a question that the features of hello exclude
+  bool times_alone = false;           ///< a time without a verdict, which laws need
   std::optional<Clock::time_point> end;
 
  private:
   Implementation& subject_;
+  std::vector<std::string> offered_;
 };
 
 class Laws {
@@ -63,51 +69,77 @@ class Laws {
       : subject_(subject),
         plan_(plan),
         verdict_(verdict),
-        stable_(reference(subject.format().bits <= 24 ? "float" : "double")) {}
+        stable_(reference(subject.format().bits <= 24 ? "float" : "double")) {
+    for (const protocol::Entry& entry : protocol::catalogue()) {
+      const std::string op(entry.name);
+      if (!wanted(plan_.ops, op)) continue;
+      wanted_.push_back(op);
+      if (is_offered(op)) asked_.push_back(op);
+    }
+  }
 
   void ask() {
     for (const Law& law : laws()) {
       if (plan_.stops() || !subject_.given_up().empty()) return;
-      if (is_asked(law)) ask(law);
+      if (can_be_asked(law, asked_)) {
+        ask(law);
+      } else if (can_be_asked(law, wanted_)) {
+        note_not_asked(law);
+      }
     }
   }
 
  private:
-  bool is_asked(const Law& law) const {
+  static bool has(const std::vector<std::string>& list, const std::string& op) {
+    return std::find(list.begin(), list.end(), op) != list.end();
+  }
+
+  bool is_offered(const std::string& op) const {
     const auto offered = subject_.offered();
-    return std::all_of(law.operations.begin(), law.operations.end(), [&](const std::string& op) {
-      const bool wanted =
-          plan_.ops.empty() || std::find(plan_.ops.begin(), plan_.ops.end(), op) != plan_.ops.end();
-      return wanted && (!offered || std::find(offered->begin(), offered->end(), op) != offered->end());
-    });
+    return offered ? has(*offered, op) : !has(verdict_.not_offered, op);
+  }
+
+  void note_not_asked(const Law& law) {
+    std::vector<std::string> needs;
+    std::copy_if(law.operations.begin(), law.operations.end(), std::back_inserter(needs),
+                 [this](const std::string& op) { return !has(asked_, op); });
+    if (law.is_of_each) needs = {fmt::format("{}", fmt::join(needs, " or "))};
+    verdict_.laws_not_asked.push_back({std::string(law.text.number), std::move(needs)});
   }
 
   void ask(const Law& law) {
     plan_.progress(law.text.id);
     Row row{area_of(law.operations.front()), law.text.id, "laws", law.text.number, law.text.page};
+    Class worst = Class::right;
     int broken = 0;
     std::optional<std::uint64_t> to_shrink;
     for (std::uint64_t n = 0; n < plan_.law_cases && broken < kMostBroken; ++n) {
       if (plan_.stops() || !subject_.given_up().empty()) break;
-      Watched watched(subject_);
+      Watched watched(subject_, asked_);
       const Examined found = examine(law, watched, generated_case(law, subject_.format(), plan_.seed, n));
       if (watched.untaken) continue;
-      if (found.outcome.kind == Kind::skipped) return;
-      if (watched.failed)
-        verdict_.note_failure(fmt::format("{}, case {}", law.text.id, n), found.outcome.why);
+      if (found.outcome.kind == Kind::skipped) {
+        verdict_.laws_not_asked.push_back({std::string(law.text.number), {found.questions.back().op}});
+        return;
+      }
+      if (watched.failed_at) {
+        verdict_.note_failure({fmt::format("{}, case {}", law.text.id, n), found.outcome.why,
+                               plan_.commands_of(*watched.failed_at)});
+      }
       // A program that gives times alone is judged by known answers.
-      const bool is_content = found.outcome.kind == Kind::failed && !watched.failed && !watched.times_alone;
+      const bool is_content =
+          found.outcome.kind == Kind::failed && !watched.failed_at && !watched.times_alone;
       if (found.outcome.kind == Kind::outside || (found.outcome.kind == Kind::failed && !is_content))
         continue;
       const Grade grade = graded(found);
-      const bool worst = !row.example || row.example->which < grade.which;
       if (found.outcome.kind == Kind::broken || is_content) {
         ++broken;
-        if (worst) to_shrink = n;
+        if (grade.which > worst) to_shrink = n;
       }
-      row.add(grade, example(law, n, found));
+      worst = std::max(worst, grade.which);
+      row.add(grade, [&] { return example(law, n, found); });
     }
-    if (to_shrink) shrink(law, *to_shrink, row);
+    if (to_shrink) shrink(law, *to_shrink, row.examples[index_of(worst)]);
     if (row.asked() > 0) verdict_.rows.push_back(std::move(row));
   }
 
@@ -139,9 +171,9 @@ class Laws {
     }
   }
 
-  /// A law is broken by the worst of the answers that it was given. Where each of them alone is right, or
-  /// rounding may decide it, they do not fit together: that is wrong, since laws leave to rounding what is
-  /// its.
+  /// A law is broken by the worst of the answers that it was given: also by one that is right but for its
+  /// name. Where each of them alone is right, or rounding may decide it, they do not fit together: that is
+  /// wrong, since laws leave to rounding what is its.
   Class class_of_broken(const Examined& found) {
     Class worst = Class::right;
     for (const Question& question : found.questions) {
@@ -149,7 +181,7 @@ class Laws {
         worst = std::max(worst, grade(*known, subject_.ask(question), subject_.format(), *stable_).which);
       }
     }
-    return worst <= Class::beyond ? Class::wrong : worst;
+    return worst == Class::other_reading || worst > Class::beyond ? worst : Class::wrong;
   }
 
   static std::optional<KnownQuestion> certified(const Question& question) {
@@ -166,30 +198,32 @@ class Laws {
   }
 
   /// The shrunk case takes the place of the example, where there is time.
-  void shrink(const Law& law, std::uint64_t n, Row& row) {
+  void shrink(const Law& law, std::uint64_t n, std::optional<Example>& shown) {
     const Clock::time_point start = Clock::now();
     const auto left = std::chrono::duration<double>(plan_.shrink_seconds - spent_);
-    Watched hurried(subject_);
+    Watched hurried(subject_, asked_);
     hurried.end = start + std::chrono::duration_cast<Clock::duration>(left);
-    if (!row.example || !hurried.given_up().empty()) return;
+    if (!shown || !hurried.given_up().empty()) return;
     plan_.progress(law.text.id + std::string(": making its case simpler"));
     Tally tally;
     Extent extent{plan_.seed, n, 1};
     const auto finding = check_law(law, hurried, extent, tally);
     spent_ += std::chrono::duration<double>(Clock::now() - start).count();
     if (!finding || finding->shrinks == 0) return;
-    const Class which = row.example->which;
+    const Class which = shown->which;
     const Examined shrunk{finding->outcome, finding->questions};
     if (graded(shrunk).which != which) return;  // a simpler case of another kind says something else
-    row.example = example(law, n, shrunk);
-    row.example->which = which;
-    row.example->id += fmt::format(", shrunk {} times", finding->shrinks);
+    shown = example(law, n, shrunk);
+    shown->which = which;
+    shown->id += fmt::format(", shrunk {} times", finding->shrinks);
   }
 
   Implementation& subject_;
   const Plan& plan_;
   Verdict& verdict_;
   std::unique_ptr<Implementation> stable_;
+  std::vector<std::string> wanted_,
+      asked_;         ///< operations that --ops selects; of them those that are offered
   double spent_ = 0;  ///< on shrinking, in seconds
 };
 

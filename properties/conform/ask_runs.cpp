@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "properties/conform/feature_hint.hpp"
 #include "properties/conform/judge_trace.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/conform/trace_features.hpp"
@@ -21,7 +22,8 @@ constexpr int kMostFailures = 5;
 
 class Runs {
  public:
-  Runs(const RunPlan& plan, Verdict& verdict) : plan_(plan), verdict_(verdict), whole_(row("whole")) {}
+  Runs(const RunPlan& plan, Verdict& verdict)
+      : plan_(plan), verdict_(verdict), whole_(row("whole")), hint_(plan.features) {}
 
   void ask() {
     std::uint64_t number = plan_.first;
@@ -39,6 +41,7 @@ class Runs {
           fmt::format("given up after {} {}; further scenes were not asked", kMostFailures,
                       failures_ == kMostFailures ? "failures" : "runs without an end");
     }
+    if (const auto words = hint_.words()) verdict_.notes["hint"] = *words;
     verdict_.rows.push_back(whole_);
     for (auto& [feature, row] : by_feature_) verdict_.rows.push_back(std::move(row));
   }
@@ -54,9 +57,7 @@ class Runs {
         fmt::format("scene {} of seed {}", number, plan_.seed),
         std::move(why),
         {fmt::format("tps scene random --seed {} --number {}{} -o scene.json", plan_.seed, number, features)},
-        fmt::format("{{\"scene\":{}}}", write_scene(scene, SceneStyle::compact)),
-        0,
-        0};
+        fmt::format("{{\"scene\":{}}}", write_scene(scene, SceneStyle::compact))};
     if (!plan_.source.command_for_scene.empty()) {
       made.commands.push_back(plan_.source.command_for_scene + " | tps check --scene scene.json -");
     }
@@ -65,29 +66,31 @@ class Runs {
 
   void ask(const Scene& scene, std::uint64_t number) {
     const Run found = plan_.source.run(scene);
-    if (found.kind == Run::Kind::failed) {
-      const bool is_wrong = is_wrong_before_its_end(scene, found.trace);
-      ++(is_wrong ? endless_ : failures_);
-      if (is_wrong) return judge(scene, number, found.trace);
-      return verdict_.note_failure(fmt::format("scene {} of seed {}", number, plan_.seed), found.problem);
+    switch (found.kind) {
+      case Run::Kind::traced:
+        return judge(scene, number, found.trace);
+      case Run::Kind::refused:
+        return add_whole({Class::refused, found.problem}, scene, number,
+                         "refuses the scene: " + found.problem);
+      case Run::Kind::endless:
+      case Run::Kind::failed:
+        break;
     }
-    if (found.kind == Run::Kind::refused)
-      return whole_.add({Class::refused, found.problem},
-                        example(scene, number, "refuses the scene: " + found.problem));
-    judge(scene, number, found.trace);
+    const Beginning beginning = judged_beginning(scene, found.trace);
+    // A run that goes on for ever may have gone wrong: what it wrote before says so.
+    if (found.kind == Run::Kind::endless && beginning.is_wrong) {
+      ++endless_;
+      return judge(scene, number, found.trace, "; the run did not end: " + found.problem);
+    }
+    ++failures_;
+    hint_.add(scene, true);
+    const Example shown = example(scene, number, found.problem + "; " + beginning.words);
+    verdict_.note_failure({shown.id, shown.why, shown.commands});
   }
 
-  /// A run that goes on for ever may have gone wrong: what it wrote before says so.
-  static bool is_wrong_before_its_end(const Scene& scene, const std::string& trace) {
-    try {
-      const check::CheckReport report = checked(write_scene(scene), trace);
-      return std::any_of(report.findings.begin(), report.findings.end(), [](const check::Finding& finding) {
-        return finding.rule != check::Rule::end && finding.rule != check::Rule::progress &&
-               class_of(finding) == Class::wrong;
-      });
-    } catch (const InputError&) {
-      return false;
-    }
+  void add_whole(const Grade& grade, const Scene& scene, std::uint64_t number, const std::string& why) {
+    whole_.add(grade, [&] { return example(scene, number, why); });
+    hint_.add(scene, verdict_.profile.fails[index_of(grade.which)]);
   }
 
   /// The line behind which a run is not judged: where a wall has joined a group, other particles part at
@@ -111,14 +114,14 @@ class Runs {
            });
   }
 
-  void judge(const Scene& scene, std::uint64_t number, const std::string& trace) {
+  void judge(const Scene& scene, std::uint64_t number, const std::string& trace,
+             const std::string& besides = {}) {
     check::CheckReport report;
     try {
       report = checked(write_scene(scene), trace);
     } catch (const InputError& error) {
       const std::string why = error.problems().empty() ? "no trace" : error.problems().front().message;
-      return whole_.add({Class::wrong, why},
-                        example(scene, number, "wrote no trace that can be judged: " + why));
+      return add_whole({Class::wrong, why}, scene, number, "wrote no trace that can be judged: " + why);
     }
     const auto features = features_by_line(trace, scene);
     const std::uint64_t end = end_of_what_is_judged(report);
@@ -130,7 +133,9 @@ class Runs {
       if (here == nullptr || class_of(finding) > class_of(*here)) here = &finding;
       if (worst_of_all == nullptr || class_of(finding) > class_of(*worst_of_all)) worst_of_all = &finding;
     }
-    add(whole_, report.conforming() && !report.inconclusive() ? nullptr : worst_of_all, scene, number);
+    if (report.conforming() && !report.inconclusive()) worst_of_all = nullptr;
+    add(whole_, worst_of_all, scene, number, besides);
+    hint_.add(scene, worst_of_all != nullptr && verdict_.profile.fails[index_of(class_of(*worst_of_all))]);
     for (const auto& [line, met] : features) {
       if (line > end) break;
       const auto finding = worst.find(line);
@@ -141,13 +146,16 @@ class Runs {
     }
   }
 
-  void add(Row& row, const check::Finding* finding, const Scene& scene, std::uint64_t number) const {
+  void add(Row& row, const check::Finding* finding, const Scene& scene, std::uint64_t number,
+           const std::string& besides = {}) const {
     if (finding == nullptr) return row.add({}, {});
-    Example shown = example(scene, number, words_of(*finding));
-    if (!finding->particles.empty())  // those who are drawn
-      shown.found =
-          fmt::format("{{\"i\":{},\"j\":{}}}", finding->particles.front(), finding->particles.back());
-    row.add({class_of(*finding), words_of(*finding)}, std::move(shown));
+    row.add({class_of(*finding), words_of(*finding)}, [&] {
+      Example shown = example(scene, number, words_of(*finding) + besides);
+      if (!finding->particles.empty())  // those who are drawn
+        shown.found =
+            fmt::format("{{\"i\":{},\"j\":{}}}", finding->particles.front(), finding->particles.back());
+      return shown;
+    });
     if (!finding->reading.empty()) ++row.hypotheses[finding->reading];
   }
 
@@ -155,6 +163,7 @@ class Runs {
   Verdict& verdict_;
   Row whole_;
   std::map<std::string, Row> by_feature_;
+  FeatureHint hint_;
   int failures_ = 0;
   int endless_ = 0;  ///< runs that went wrong and did not end: each costs its whole time limit
 };

@@ -147,6 +147,10 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
   }
 }
 
+std::string row_name(const std::string& kind) {
+  return fmt::format("{}.step_{}", kOperation, kind);
+}
+
 class Steps {
  public:
   Steps(Implementation& subject, const StepPlan& plan, Verdict& verdict)
@@ -168,8 +172,6 @@ class Steps {
   }
 
  private:
-  static std::string row_name(const std::string& kind) { return fmt::format("{}.step_{}", kOperation, kind); }
-
   /// States as long as they have one certified next event.
   std::vector<Step> walk(const Scene& first) {
     std::vector<Step> steps;
@@ -198,7 +200,8 @@ class Steps {
   }
 
   void judge(const Step& step, const Answer& answer, std::string id) {
-    if (answer.status == Answer::Status::failed) return verdict_.note_failure(id, answer.reason);
+    if (answer.status == Answer::Status::failed)
+      return verdict_.note_failure({std::move(id), answer.reason, plan_.commands_of(step.question)});
     const std::string kind = step.right.at("kind").get<std::string>();
     const auto* facts = protocol::find_entry(kOperation);
     Row& row = rows_
@@ -207,11 +210,12 @@ class Steps {
                    .first->second;
     std::string reading;
     const Grade grade = graded(step, answer, reading);
-    Example shown{
-        grade.which, std::move(id), grade.why, {command_of(step.question)}, json_text(step.question.in)};
-    if (answer.status == Answer::Status::answered) shown.found = json_text(answer.out);
-    shown.right = json_text(step.right);
-    row.add(grade, std::move(shown));
+    row.add(grade, [&] {
+      Example shown{grade.which, id, grade.why, {command_of(step.question)}, json_text(step.question.in)};
+      if (answer.status == Answer::Status::answered) shown.found = json_text(answer.out);
+      shown.right = json_text(step.right);
+      return shown;
+    });
     if (!reading.empty()) ++row.hypotheses[reading];
   }
 
@@ -224,6 +228,12 @@ class Steps {
 };
 
 }  // namespace
+
+std::vector<std::string> step_rows() {
+  std::vector<std::string> names;
+  for (const char* kind : {"rebound", "retract", "revolve", "break", "none"}) names.push_back(row_name(kind));
+  return names;
+}
 
 void ask_steps(Implementation& subject, const StepPlan& plan, Verdict& verdict) {
   Steps(subject, plan, verdict).ask();

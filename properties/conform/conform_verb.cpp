@@ -27,6 +27,7 @@
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
+#include "verify/protocol/catalogue.hpp"
 #include "verify/vectors/generate.hpp"
 
 namespace tps::cli {
@@ -98,6 +99,34 @@ std::vector<std::string> expected_failures(const std::string& path) {
   return patterns;
 }
 
+/// Names, or patterns that fit some.
+void check_operations(const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  for (const protocol::Entry& entry : protocol::catalogue()) {
+    if (entry.is_answered) names.emplace_back(entry.name);
+  }
+  for (const std::string& pattern : patterns) {
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return wanted({pattern}, name); }))
+      continue;
+    throw CLI::ValidationError(
+        "--ops", fmt::format("{} is no operation; there are {}", printable(pattern), fmt::join(names, ", ")));
+  }
+}
+
+/// The words of a command for a shell.
+std::string for_a_shell(const std::vector<std::string>& words) {
+  const auto quoted = [](const std::string& word) {
+    if (!word.empty() && word.find_first_of(" \t\n\"'`$\\|&;<>()*?[]#~!{}") == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+  };
+  std::vector<std::string> all;
+  for (const std::string& word : words) all.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(all, " "));
+}
+
 conform::Plan plan_of(const ConformArguments& a) {
   conform::Plan plan;
   plan.level = a.level;
@@ -109,6 +138,7 @@ conform::Plan plan_of(const ConformArguments& a) {
   plan.scenes = a.scenes > 0 ? a.scenes : a.level == 1 ? 20 : 100;
   plan.first_scene = a.first_scene;
   plan.shrink_seconds = a.shrink_seconds;
+  plan.command = for_a_shell(a.words);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(a.total);
   plan.stops = [limited = a.total > 0, deadline] {
     return interrupt::requested() || (limited && std::chrono::steady_clock::now() > deadline);
@@ -154,6 +184,7 @@ int run_conform(const ConformArguments& a) {
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--features", error.what());
   }
+  check_operations(a.ops);
   Verdict verdict;
   verdict.profile = read_profile(a.profile);
   verdict.data = fmt::format("known answers {}.{}", vectors::kVectorsVersion, vectors::kCommittedSeed);
@@ -202,7 +233,9 @@ void add_conform(CLI::App& app, int& exit_code) {
       ->check(integer_from(1, "a number of scenes"));
   verb->add_option("--first-scene", a->first_scene, "From this number on")
       ->check(integer_from(0, "a number of a scene"));
-  verb->add_option("--ops", a->ops, "Only these operations")->delimiter(',')->allow_extra_args(false);
+  verb->add_option("--ops", a->ops, "Only these operations; one that the program does not offer is REFUSED")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--tags", a->strata,
                    "Only known answers of these strata (block_time.graze, *.far), and no laws")
       ->delimiter(',')

@@ -119,7 +119,7 @@ void compare_time(const Expected& expected, const Json& out, const Format& forma
                   Comparison& comparison) {
   const Json t = out.value("t", Json());
   if (expected.occurs != !t.is_null()) {
-    comparison.words = comparison.within = comparison.nearest = false;
+    comparison.words = comparison.within = comparison.nearest = comparison.occurs = false;
     if (!comparison.problem.empty()) return;
     comparison.is_minor = false;
     const auto given = numbers_of(t);

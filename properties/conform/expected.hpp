@@ -46,6 +46,7 @@ struct Comparison {
   bool nearest = true;   ///< every number is the correctly rounded one of the format
   bool within = true;    ///< every result is within K(k) of docs/vectors.md, in the format's unit
   bool numbers = true;   ///< every result is there and consists of numbers
+  bool occurs = true;    ///< a timing query has an event where it should, and none where it should not
   double units = 0;      ///< the largest error of a result, in units 2^-bits of its size
   double cond = 0;       ///< of that result
   std::string problem;   ///< the first thing that is not as expected, in words

@@ -60,13 +60,19 @@ Grade with(Class which, const Comparison& c, const std::string& reason = {}) {
   return {which, reason.empty() ? c.problem : c.problem + ": " + reason, c.units, c.cond};
 }
 
+const char* right_by_name(const TimeAnswer& answer) {
+  return answer.t ? "its time is right" : "that nothing happens is right";
+}
+
 /// Of an answer to a timing query that is not right in K(k).
 Grade graded_time(const Question& question, const Json& out, const Comparison& c, const Format& format) {
   TimeAnswer answer = time_answer(out);
   switch (margin_of(question, answer, format.bits)) {
     case Margin::stable:
-      return c.words ? with(Class::rounding, c)
-                     : with(Class::beyond, c, "no evaluation in this precision can tell");
+      if (c.words) return with(Class::rounding, c);
+      // The same happens, by the names of two verdicts that rounding cannot tell apart.
+      if (c.occurs && c.numbers && c.within) return with(Class::other_reading, c, right_by_name(answer));
+      return with(Class::beyond, c, "no evaluation in this precision can tell");
     case Margin::printed:
       return with(Class::worse, c, what_is_lost(question));
     case Margin::none:
@@ -74,9 +80,8 @@ Grade graded_time(const Question& question, const Json& out, const Comparison& c
   }
   if (answer.verdict) {
     answer.verdict.reset();
-    const bool has_time = answer.t.has_value();
     if (out.contains("t") && margin_of(question, answer, format.bits) == Margin::stable)
-      return with(Class::other_reading, c, has_time ? "its time is right" : "that nothing happens is right");
+      return with(Class::other_reading, c, right_by_name(answer));
   }
   return with(Class::wrong, c);
 }

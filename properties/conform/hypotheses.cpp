@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <exception>
 
+#include "properties/conform/finite_for_infinite.hpp"
 #include "properties/conform/mistakes.hpp"
+#include "properties/conform/single_precision.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -15,6 +17,7 @@ const std::vector<Mistake>& mistakes() {
   static const std::vector<Mistake> all = [] {
     std::vector<Mistake> made;
     add_timing_mistakes(made);
+    add_threshold_mistakes(made);
     add_response_mistakes(made);
     add_group_mistakes(made);
     add_effect_mistakes(made);
@@ -39,10 +42,13 @@ std::optional<Vec> found_numbers(const Json& out, const std::string& key) {
   return value.is_null() ? std::optional(Vec{}) : numbers_of(value);
 }
 
-double apart(const Vec& a, const Vec& b) {
-  if (a.size() != b.size()) return HUGE_VAL;
-  const double distance = norm(a - b);
-  return distance == 0 ? 0 : distance / std::max(norm(a), norm(b));
+/// Whether the verdict that an answer gives is one of the mistake's: who moves is not static by chance.
+bool may_be_called_so(const Mistaken& mistaken, const Expected& right, const Json& out) {
+  const auto verdict = out.find("verdict");
+  if (!right.is_timing || verdict == out.end()) return true;
+  const auto& names = mistaken.verdicts;
+  if (names.empty()) return *verdict != "static" || right.words[0].word == "static";
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return *verdict == name; });
 }
 
 bool fits(const Mistake& mistake, const KnownQuestion& known, const Json& out, const Expected& right) {
@@ -51,11 +57,12 @@ bool fits(const Mistake& mistake, const KnownQuestion& known, const Json& out, c
     if (!mistaken) return false;
     const Json word = out.value(known.question.op == "order" ? "order" : "kind", Json());
     if (!mistaken->word.empty() && word != mistaken->word) return false;
+    if (!may_be_called_so(*mistaken, right, out)) return false;
     bool tells = !mistaken->word.empty() && (right.words.empty() || right.words[0].word != mistaken->word);
     for (const auto& [key, numbers] : mistaken->numbers) {
       const auto found = found_numbers(out, key);
-      if (!found || !(apart(*found, numbers) <= 1e-9)) return false;
-      tells = tells || apart(numbers, right_numbers(right, key)) > 1e-7;
+      if (!found || !(apart(*found, numbers) <= mistaken->equal)) return false;
+      tells = tells || apart(numbers, right_numbers(right, key)) > mistaken->apart;
     }
     return tells;
   } catch (const std::exception&) {
@@ -99,19 +106,7 @@ std::optional<std::string> written_short(const std::vector<std::pair<double, dou
   return std::nullopt;
 }
 
-/// Errors of the size of single precision: 2^-30 to 2^-18 of a result and of its condition.
-bool single_precision(const std::vector<std::pair<double, double>>& pairs, const Expected& right) {
-  Vec found, exact;
-  for (const auto& [x, y] : pairs) {
-    found.push_back(x);
-    exact.push_back(y);
-  }
-  double cond = 1;
-  for (const ExpectedNumbers& numbers : right.numbers) cond = std::max(cond, numbers.cond.value_or(1));
-  const double relative = apart(found, exact);
-  return relative > 0x1p-30 && relative < 0x1p-18 * cond;
-}
-
+const std::string kFiniteMass = "an infinite mass taken as a large finite one";
 const std::string kSinglePrecision = "float32 inside";
 
 }  // namespace
@@ -123,13 +118,16 @@ std::vector<std::string> hypotheses_fitting(const KnownQuestion& known, const Js
   for (const Mistake& mistake : mistakes()) {
     const bool is_of =
         std::find(mistake.ops.begin(), mistake.ops.end(), known.question.op) != mistake.ops.end();
-    if (is_of && fits(mistake, known, out, right)) fitting.push_back(mistake.name);
+    const bool is_named = std::find(fitting.begin(), fitting.end(), mistake.name) != fitting.end();
+    if (is_of && !is_named && fits(mistake, known, out, right)) fitting.push_back(mistake.name);
   }
   const auto pairs = side_by_side(out, right);
   if (pairs.empty()) return fitting;
   if (const auto digits = written_short(pairs)) {
     fitting.push_back(*digits);
-  } else if (single_precision(pairs, right)) {
+  } else if (is_of_finite_mass(known, out, right)) {
+    fitting.push_back(kFiniteMass);
+  } else if (is_single_precision(known, out, right)) {
     fitting.push_back(kSinglePrecision);
   }
   return fitting;
@@ -140,7 +138,8 @@ std::vector<std::string> hypothesis_names() {
   for (const Mistake& mistake : mistakes()) {
     if (std::find(names.begin(), names.end(), mistake.name) == names.end()) names.push_back(mistake.name);
   }
-  names.insert(names.end(), {"written with n digits", "written with n decimals", kSinglePrecision});
+  names.insert(names.end(),
+               {"written with n digits", "written with n decimals", kFiniteMass, kSinglePrecision});
   return names;
 }
 

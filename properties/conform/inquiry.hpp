@@ -19,8 +19,12 @@ struct Plan {
   std::vector<std::string> features;            ///< of scenes (random_scene.hpp)
   std::uint64_t scenes = 100, first_scene = 0;  ///< whole runs: so many, from this number on
   double shrink_seconds = 2;                    ///< for all laws together
+  std::string command = {};  ///< that starts the subject, for a shell; empty where it is no command
   std::function<bool()> stops = [] { return false; };
   std::function<void(const std::string& doing)> progress = [](const std::string&) {};
+
+  /// What shows the right answer to a question, and what asks the subject again.
+  std::vector<std::string> commands_of(const Question& question) const;
 };
 
 /// Known answers and laws of everything that the subject offers. Adds to the verdict's rows, failures and

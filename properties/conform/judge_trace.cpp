@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "properties/conform/expected.hpp"
 #include "properties/conform/run_source.hpp"
 #include "properties/runs/scratch_file.hpp"
+#include "reference/scene/write_scene.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -14,6 +18,30 @@ namespace {
 bool is_defensible(const std::string& reading) {
   constexpr std::array<const char*, 5> kSilent{"D9:", "D11:", "D12:", "D13:", "D16:"};
   return std::any_of(kSilent.begin(), kSilent.end(), [&](const char* d) { return reading.starts_with(d); });
+}
+
+/// A run that is asked for all of a scene ends at start_time + duration; the check allows an earlier end, of
+/// who was told to stop there. Rounded once or twice, in float at worst.
+void judge_duration(const std::string& scene, const std::string& trace, check::CheckReport& report) {
+  constexpr double kRounding = 0x1p-22;
+  const Json asked = Json::parse(scene);
+  const auto number = [&](const char* key, double otherwise) {
+    return asked.contains(key) ? numbers_of(asked.at(key)).value().at(0) : otherwise;
+  };
+  const double start = number("start_time", 0), duration = number("duration", 0);
+  const std::size_t last = trace.rfind('\n', trace.size() - 2);
+  const Json line = Json::parse(trace.substr(last == std::string::npos ? 0 : last + 1), nullptr, false);
+  const auto t = line.is_object() && line.contains("t") ? numbers_of(line.at("t")) : std::nullopt;
+  if (!t) return;
+  const double off = std::fabs(t->at(0) - start - duration);
+  if (std::isfinite(duration) && off <= kRounding * (std::fabs(start) + duration)) return;
+  check::Finding finding;
+  finding.rule = check::Rule::end;
+  finding.line = report.lines;
+  finding.message = fmt::format("the run ends by its duration at t = {}; it begins at {} and lasts {}",
+                                t->at(0), start, duration);
+  report.findings.push_back(finding);
+  ++report.rules[static_cast<std::size_t>(check::Rule::end)].violated;
 }
 
 }  // namespace
@@ -36,7 +64,9 @@ check::CheckReport checked(const std::string& scene, const std::string& trace) {
   check::CheckOptions options;
   options.scene = scene_file.path();
   options.max_reports = 10 * kMostEventsOfARun;  // of each rule: all
-  return check::check_trace(file.path(), options);
+  check::CheckReport report = check::check_trace(file.path(), options);
+  if (report.end == "duration") judge_duration(scene, trace, report);
+  return report;
 }
 
 const check::Finding* worst_of(const check::CheckReport& report) {
@@ -44,6 +74,32 @@ const check::Finding* worst_of(const check::CheckReport& report) {
       report.findings.begin(), report.findings.end(),
       [](const check::Finding& one, const check::Finding& other) { return class_of(one) < class_of(other); });
   return worst == report.findings.end() ? nullptr : &*worst;
+}
+
+Beginning judged_beginning(const Scene& scene, const std::string& trace) {
+  if (trace.empty()) return {false, "it wrote nothing, or did not flush it"};
+  check::CheckReport report;
+  try {
+    report = checked(write_scene(scene), trace);
+  } catch (const InputError& error) {
+    return {false, "what it wrote until then is no trace: " + first_problem(error)};
+  }
+  // That there is no end, and no progress, follows from the rest.
+  std::erase_if(report.findings, [](const check::Finding& finding) {
+    return finding.rule == check::Rule::end || finding.rule == check::Rule::progress;
+  });
+  const check::Finding* worst = worst_of(report);
+  const std::string written =
+      fmt::format("the {} events that it wrote until then were judged: ", report.events);
+  if (worst == nullptr) return {false, written + "nothing is wrong with them"};
+  const auto alike =
+      std::count_if(report.findings.begin(), report.findings.end(), [&](const check::Finding& other) {
+        return other.rule == worst->rule && class_of(other) == class_of(*worst) &&
+               other.particles == worst->particles;
+      });
+  return {class_of(*worst) == Class::wrong,
+          fmt::format("{}{}, {}{}", written, name(class_of(*worst)), words_of(*worst),
+                      alike > 1 ? fmt::format(", and so {} times", alike) : "")};
 }
 
 }  // namespace tps::properties::conform

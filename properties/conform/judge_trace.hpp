@@ -4,6 +4,7 @@
 #include <string>
 
 #include "properties/conform/answer_class.hpp"
+#include "reference/scene/scene.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::properties::conform {
@@ -18,5 +19,12 @@ check::CheckReport checked(const std::string& scene, const std::string& trace);
 
 /// The worst of a report, null where nothing was found.
 const check::Finding* worst_of(const check::CheckReport& report);
+
+/// What a run wrote that did not come to its end.
+struct Beginning {
+  bool is_wrong = false;  ///< a step is; that the end is missing does not count
+  std::string words;      ///< its worst step, or that there is none
+};
+Beginning judged_beginning(const Scene& scene, const std::string& trace);
 
 }  // namespace tps::properties::conform

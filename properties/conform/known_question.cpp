@@ -75,19 +75,18 @@ bool has_outer_collision(const Json& in) {
 }  // namespace
 
 void for_known_questions(const Selection& selection, const Format& format,
-                         const std::function<bool(const Stratum&)>& visit) {
+                         const std::function<bool(Stratum)>& visit) {
   for (const vectors::Stratum& family : vectors::strata()) {
     if (!selection.wants_op(family.op) || !selection.wants_stratum(family.op + "." + family.name)) continue;
     Stratum stratum{family.op, family.name, family.why, {}};
     const vectors::Extent extent = vectors::extent_of(family, selection.level, 0);
     for (std::uint64_t n = extent.first; n < extent.first + extent.count; ++n) {
-      auto known =
-          in_format(family.op, Json::parse(vectors::case_line(family, vectors::kCommittedSeed, n)), format);
+      auto known = in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
       if (!known || (!selection.outer_groups && has_outer_collision(known->at("in")))) continue;
       stratum.cases.push_back(
           {known->at("id").get<std::string>(), family.name, {family.op, known->at("in")}, std::move(*known)});
     }
-    if (!stratum.cases.empty() && !visit(stratum)) return;
+    if (!stratum.cases.empty() && !visit(std::move(stratum))) return;
   }
 }
 

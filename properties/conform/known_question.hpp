@@ -37,6 +37,6 @@ struct Selection {
 /// question, leaves the range of the format, or is a whole scene is left out. Law: (1) the same cases in
 /// every call.
 void for_known_questions(const Selection& selection, const Format& format,
-                         const std::function<bool(const Stratum&)>& visit);
+                         const std::function<bool(Stratum)>& visit);
 
 }  // namespace tps::properties::conform

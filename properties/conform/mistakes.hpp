@@ -2,6 +2,7 @@
 // each.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -34,6 +35,13 @@ inline double norm(const Vec& a) {
   return std::sqrt(dot(a, a));
 }
 
+/// Relative to the larger of them; infinite where they do not correspond.
+inline double apart(const Vec& a, const Vec& b) {
+  if (a.size() != b.size()) return HUGE_VAL;
+  const double distance = norm(a - b);
+  return distance == 0 ? 0 : distance / std::max(norm(a), norm(b));
+}
+
 /// A question's numbers by the names of the paper.
 class Given {
  public:
@@ -58,6 +66,10 @@ class Given {
 struct Mistaken {
   std::vector<std::pair<std::string, Vec>> numbers;
   std::string word = {};
+  std::vector<std::string> verdicts =
+      {};               ///< of a timing query; any where empty, but not "static" of who moves
+  double equal = 1e-9;  ///< an answer is this one within so much of its size
+  double apart = 1e-7;  ///< and tells it from the right one beyond so much of it
 };
 
 struct Mistake {
@@ -68,6 +80,7 @@ struct Mistake {
 
 /// Each source adds its own.
 void add_timing_mistakes(std::vector<Mistake>& mistakes);
+void add_threshold_mistakes(std::vector<Mistake>& mistakes);
 void add_response_mistakes(std::vector<Mistake>& mistakes);
 void add_group_mistakes(std::vector<Mistake>& mistakes);
 void add_effect_mistakes(std::vector<Mistake>& mistakes);

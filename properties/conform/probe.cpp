@@ -9,14 +9,9 @@
 namespace tps::properties::conform {
 namespace {
 
-/// A crash, a hang, a breach of the protocol.
-struct Failed {
-  std::string reason;
-};
-
 Answer answer_to(Implementation& subject, const Question& question) {
   Answer answer = subject.ask(question);
-  if (answer.status == Answer::Status::failed) throw Failed{answer.reason};
+  if (answer.status == Answer::Status::failed) throw FailedProbe{answer.reason, question};
   return answer;
 }
 
@@ -66,7 +61,7 @@ std::optional<bool> contracts(Implementation& subject) {
 
 }  // namespace
 
-std::optional<std::string> probe(Implementation& subject, Environment& environment) {
+std::optional<FailedProbe> probe(Implementation& subject, Environment& environment) {
   const Format format = subject.format();
   const double all_bits = 1 + std::ldexp(1.0, 1 - std::min(format.bits, 53));
   const double subnormal = std::ldexp(1.0, -format.max_exponent - 2);
@@ -75,8 +70,8 @@ std::optional<std::string> probe(Implementation& subject, Environment& environme
     if (const auto back = format.bits <= 53 ? returned(subject, subnormal) : std::nullopt)
       environment.flushes = *back == 0;
     environment.contracts = contracts(subject);
-  } catch (const Failed& failed) {
-    return failed.reason;
+  } catch (const FailedProbe& failed) {
+    return failed;
   }
   return std::nullopt;
 }

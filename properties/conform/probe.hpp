@@ -2,12 +2,17 @@
 #pragma once
 
 #include "properties/conform/verdict.hpp"
+#include "properties/implementation.hpp"
 
 namespace tps::properties::conform {
 
 /// Asks a few questions whose answers tell: whether all bits of a number arrive, whether subnormal numbers
 /// are flushed to zero, whether products are contracted to fused multiply-adds. What no operation of the
-/// subject tells stays open. @return what happened where it fails; then nothing more is asked.
-std::optional<std::string> probe(Implementation& subject, Environment& environment);
+/// subject tells stays open. @return at what it fails, where it does; then nothing more is asked.
+struct FailedProbe {
+  std::string reason;
+  Question question;
+};
+std::optional<FailedProbe> probe(Implementation& subject, Environment& environment);
 
 }  // namespace tps::properties::conform

@@ -3,39 +3,48 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <stdexcept>
 
-#include "properties/runs/scenes.hpp"
+#include "properties/conform/scene_variations.hpp"
+#include "properties/runs/contact_scenes.hpp"
 #include "reference/run/run.hpp"
 #include "reference/text/input_error.hpp"
 
 namespace tps::properties::conform {
 namespace {
 
-using runs::Wanted;
+constexpr const char* kContacts = "contacts";
+/// What scenes of contacts alone have not.
+constexpr std::array<const char*, 2> kNoContacts{"groups", "no-ties"};
 
 struct Feature {
   FeatureFacts facts;
-  void (*apply)(Wanted&);
+  void (*apply)(Wishes&);
 };
 
 const std::vector<Feature>& features() {
   static const std::vector<Feature> all{
-      {{"2d", "scenes of the plane alone"}, [](Wanted& w) { w.dimension = 2; }},
-      {{"3d", "scenes of space alone"}, [](Wanted& w) { w.dimension = 3; }},
+      {{"2d", "scenes of the plane alone"}, [](Wishes& w) { w.dimension = 2; }},
+      {{"3d", "scenes of space alone"}, [](Wishes& w) { w.dimension = 3; }},
       {{"groups", "nearly simultaneous collisions grouped in every scene"},
-       [](Wanted& w) { w.grouping = Wanted::Choice::always; }},
-      {{"no-groups", "no grouping"}, [](Wanted& w) { w.grouping = Wanted::Choice::never; }},
-      {{"no-draws", "no rule decides with a probability"}, [](Wanted& w) { w.draws = false; }},
-      {{"no-phases", "rules do not change in time"}, [](Wanted& w) { w.phases = false; }},
-      {{"no-impulses", "nothing is pushed from outside"}, [](Wanted& w) { w.impulses = false; }},
+       [](Wishes& w) { w.grouping = Wishes::Choice::always; }},
+      {{"no-groups", "no grouping"}, [](Wishes& w) { w.grouping = Wishes::Choice::never; }},
+      {{"no-draws", "no rule decides with a probability"}, [](Wishes& w) { w.draws = false; }},
+      {{"no-phases", "rules do not change in time"}, [](Wishes& w) { w.phases = false; }},
+      {{"no-impulses", "nothing is pushed from outside"}, [](Wishes& w) { w.impulses = false; }},
       {{"no-tethers", "no tethers, and no enclosures, which are tethers"},
-       [](Wanted& w) { w.tethers = false; }},
+       [](Wishes& w) { w.tethers = false; }},
       {{"no-tether-changes", "tethers neither form nor break"},
-       [](Wanted& w) { w.changing_tethers = false; }},
-      {{"no-infinite-masses", "neither walls nor enclosures"}, [](Wanted& w) { w.infinite_masses = false; }},
-      {{"no-losses", "coefficients are 1"}, [](Wanted& w) { w.dissipation = false; }},
-      {{"no-ties", "no starts at limits, nothing simultaneous"}, [](Wanted& w) { w.ties = false; }},
+       [](Wishes& w) { w.changing_tethers = false; }},
+      {{"no-infinite-masses", "neither walls nor enclosures"}, [](Wishes& w) { w.infinite_masses = false; }},
+      {{"no-losses", "coefficients are 1"}, [](Wishes& w) { w.dissipation = false; }},
+      {{"no-ties", "no starts at limits, nothing simultaneous"}, [](Wishes& w) { w.ties = false; }},
+      {{"no-start-time", "the clock starts at 0"}, [](Wishes& w) { w.start_time = false; }},
+      {{kContacts, "pairs that touch and move across, and nothing else"},
+       [](Wishes& w) { w.contacts = true; }},
   };
   return all;
 }
@@ -57,10 +66,23 @@ RunSummary first_events(const Scene& scene, std::uint64_t count) {
   return run_scene(scene, options);
 }
 
+bool has(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Without a duration, where the run ends by itself and soon: what is far away is known by few digits.
+Scene without_duration(Scene scene) {
+  constexpr double kSoon = 100;
+  Scene endless = scene;
+  endless.duration = std::numeric_limits<double>::infinity();
+  const RunSummary run = first_events(endless, kMostEvents + 1);
+  return run.end == "no_more_events" && run.t <= kSoon * scene.duration ? endless : scene;
+}
+
 /// The scene, so short that it has no more events than that; nothing where events do not end.
 std::optional<Scene> shortened(Scene scene) {
   const RunSummary run = first_events(scene, kMostEvents + 1);
-  if (run.end == "duration" || run.end == "no_more_events") return scene;
+  if (run.end == "duration") return run.events > 0 ? without_duration(std::move(scene)) : scene;
   if (run.end != "max_events") return std::nullopt;
   // Behind an event that another one follows at a later time, and as far from both.
   for (std::uint64_t events = kMostEvents; events >= 10; events /= 2) {
@@ -92,17 +114,26 @@ void check_features(const std::vector<std::string>& words) {
     throw std::invalid_argument(
         fmt::format("{} is no feature of scenes; there are {}", word, fmt::join(names, ", ")));
   }
+  for (const char* word : kNoContacts) {
+    if (has(words, kContacts) && has(words, word))
+      throw std::invalid_argument(fmt::format(
+          "{} and {} exclude each other: scenes of contacts have neither groups nor anything but ties",
+          kContacts, word));
+  }
 }
 
 std::optional<Scene> random_scene(const std::vector<std::string>& features, std::uint64_t seed,
                                   std::uint64_t number) {
-  Wanted wanted;
+  Wishes wanted;
   for (const std::string& word : features) find(word)->apply(wanted);
   const rc::Random stream(rc::Random::Key{seed, number, 0x7363656e65U, 0});
-  Scene scene = runs::small_scene(wanted)(stream, kSize).value().scene;
+  rc::Random choices(rc::Random::Key{seed, number, 0x76617279U, 0});
+  const auto generator = wanted.contacts ? runs::touching_pairs(wanted.dimension) : runs::small_scene(wanted);
+  Scene scene = generator(stream, kSize).value().scene;
   scene.title = fmt::format("random scene {} of seed {}", number, seed);
   try {
-    return shortened(std::move(scene));
+    scene = with_start_time(untethered(std::move(scene), wanted, choices), wanted, choices);
+    return shortened(with_near_threshold(std::move(scene), wanted, choices));
   } catch (const InputError&) {
     return std::nullopt;  // not in the range of double
   }

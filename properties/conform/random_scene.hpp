@@ -17,7 +17,7 @@ struct FeatureFacts {
 const std::vector<FeatureFacts>& scene_features();
 
 /// What --features says: "no-draws,no-groups,2d". Throws std::invalid_argument that names the word and lists
-/// what there is.
+/// what there is, or names two words that exclude each other.
 void check_features(const std::vector<std::string>& words);
 
 /// Scene `number` of a seed. It ends by its duration, or because nothing is left to happen, after at most a

@@ -13,6 +13,12 @@ std::string report_text(const Verdict& verdict, bool every_row);
 /// The last sentence alone.
 std::string sentence(const Verdict& verdict);
 
+/// "block_time.plain.00003: hung: …".
+std::string words_of(const Failure& failure);
+
+/// "laws 1, 2, 4–9 of eq. (2) need block_time or tether_time; …"; empty where all were asked.
+std::string laws_not_asked_in_words(const Verdict& verdict);
+
 /// What a row says in one line: "125 asked, 122 RIGHT, 3 BEYOND ITS PRECISION".
 std::string findings_of(const Row& row);
 

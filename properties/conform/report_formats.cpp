@@ -29,8 +29,8 @@ Json row_json(const Verdict& verdict, const Row& row) {
   if (row.worst_units > 0) json["worst"] = {{"units", row.worst_units}, {"cond", row.worst_cond}};
   if (!row.hypotheses.empty()) json["hypotheses"] = row.hypotheses;
   if (const auto best = Verdict::best_hypotheses(row); !best.empty()) json["equals"] = best;
-  if (row.example) {
-    const Example& e = *row.example;
+  if (const Example* worst = row.worst_example()) {
+    const Example& e = *worst;
     json["example"] = {{"class", name(e.which)}, {"id", e.id}, {"why", e.why}, {"commands", e.commands}};
     if (!e.in.empty()) json["example"]["in"] = Json::parse(e.in);
   }
@@ -68,6 +68,13 @@ std::string report_json(const Verdict& verdict) {
   for (std::size_t c = 0; c < kClasses; ++c) {
     if (verdict.profile.fails[c]) fails.push_back(kClassFacts[c].name);
   }
+  Json failures = Json::array(), failed_at = Json::array(), laws = Json::array();
+  for (const Failure& failure : verdict.failures) {
+    failures.push_back(words_of(failure));
+    failed_at.push_back({{"at", failure.at}, {"commands", failure.commands}});
+  }
+  for (const LawNotAsked& law : verdict.laws_not_asked)
+    laws.push_back({{"law", law.number}, {"needs", law.needs}});
   const Environment& e = verdict.environment;
   return json_text(Json{{"conform", 1},
                         {"subject", verdict.subject},
@@ -77,8 +84,10 @@ std::string report_json(const Verdict& verdict) {
                         {"asked", verdict.asked()},
                         {"classes", counts_json(verdict.counts())},
                         {"not_offered", verdict.not_offered},
+                        {"laws_not_asked", laws},
                         {"failed", verdict.failed},
-                        {"failures", verdict.failures},
+                        {"failures", failures},
+                        {"failed_at", failed_at},
                         {"notes", verdict.notes},
                         {"unexpected_passes", verdict.unexpected_passes()},
                         {"rows", rows},
@@ -99,7 +108,8 @@ std::string report_junit(const Verdict& verdict) {
       cases += "/>\n";
       continue;
     }
-    const std::string detail = row.example ? row.example->id + ": " + row.example->why : "";
+    const Example* worst = row.worst_example();
+    const std::string detail = worst != nullptr ? worst->id + ": " + worst->why : "";
     if (verdict.expected_to_fail(row)) {
       ++skipped;
       cases += fmt::format(">\n    <skipped message=\"{}\"/>\n  </testcase>\n",
@@ -144,8 +154,9 @@ std::string report_markdown(const Verdict& verdict) {
   for (const Row& row : verdict.rows) {
     if (verdict.profile.accepts(row)) continue;
     const std::string best = fmt::format("{}", fmt::join(Verdict::best_hypotheses(row), "; or "));
+    const Example* worst = row.worst_example();
     rows += fmt::format("| {} | {} | {} | {} |\n", cell(row.name), cell(findings_of(row)), cell(best),
-                        row.example ? cell(row.example->why) : "");
+                        worst != nullptr ? cell(worst->why) : "");
   }
   if (!rows.empty()) text += "\n| row | asked and found | equals | first case |\n|---|---|---|---|\n" + rows;
   return text + fmt::format("\nProfile {}, {}.\n", cell(verdict.profile.name), verdict.data);

@@ -36,17 +36,21 @@ std::string html_table(const Verdict& verdict) {
   return text + "</table>\n";
 }
 
-std::string case_of(const Row& row) {
-  const Example& e = *row.example;
+std::string commands_of(const std::vector<std::string>& commands) {
+  std::string text;
+  for (const std::string& command : commands)
+    text += fmt::format("<p><code>{}</code></p>", xml_text(command));
+  return text;
+}
+
+std::string case_of(const Row& row, const Example& e) {
   const auto best = Verdict::best_hypotheses(row);
   std::string text = fmt::format("<section>{}<div><h3>{}: {}</h3><p>{}: {}</p>", drawing_of(e),
                                  xml_text(row.name), name(e.which), xml_text(e.id), xml_text(e.why));
   if (!best.empty())
     text +=
         fmt::format("<p>Your answer equals: {}.</p>", xml_text(fmt::format("{}", fmt::join(best, "; or "))));
-  for (const std::string& command : e.commands)
-    text += fmt::format("<p><code>{}</code></p>", xml_text(command));
-  return text + "</div></section>\n";
+  return text + commands_of(e.commands) + "</div></section>\n";
 }
 
 }  // namespace
@@ -54,12 +58,13 @@ std::string case_of(const Row& row) {
 std::string report_html(const Verdict& verdict) {
   std::string text = kHead;
   text += fmt::format("<h1>tps conform</h1>\n<p><strong>{}</strong></p>\n", xml_text(sentence(verdict)));
-  for (const std::string& failure : verdict.failures)
-    text += fmt::format("<p>Failed: {}</p>\n", xml_text(failure));
+  for (const Failure& failure : verdict.failures)
+    text += fmt::format("<p>Failed: {}</p>{}\n", xml_text(words_of(failure)), commands_of(failure.commands));
   text += html_table(verdict);
   for (std::size_t c = kClasses; c-- > index_of(Class::other_reading);) {
     for (const Row& row : verdict.rows) {
-      if (row.example && row.example->which == kClassFacts[c].which) text += case_of(row);
+      const Example* worst = row.worst_example();
+      if (worst != nullptr && worst->which == kClassFacts[c].which) text += case_of(row, *worst);
     }
   }
   return text + fmt::format("<p>Profile {}, {}.</p>\n</body></html>\n", xml_text(verdict.profile.name),

@@ -64,15 +64,16 @@ std::string table(const Verdict& verdict) {
       continue;
     }
     const bool scored = line.reference && line.area != "whole runs";
-    const std::string worst = line.units > 0 ? fmt::format("{:.3g}, {:.2g}", line.units, line.cond) : "";
+    const std::string worst = line.units > 0 ? fmt::format("{:.3g}, {:.2g}", line.units, line.cond)
+                              : line.area == "whole runs" ? ""
+                                                          : "–";
     text +=
         fmt::format("{:>10}  {:<17} {}\n", scored ? number_or_dot(*line.reference) : "", worst, line.page);
   }
   return text;
 }
 
-std::string example_text(const Row& row) {
-  const Example& e = *row.example;
+std::string example_text(const Example& e) {
   std::string text = fmt::format("    {}: {}\n", e.id, e.why);
   for (const std::string& command : e.commands) text += "      " + command + "\n";
   return text;
@@ -126,12 +127,11 @@ std::string hypotheses_of(const Group& group) {
 }
 
 std::string group_text(const Group& group) {
-  std::string text = heading_of(group) + hypotheses_of(group);
-  if (group.which < Class::worse) return text;
   for (const Row* row : group.rows) {
-    if (row->example && row->example->which == group.which) return text + example_text(*row);
+    if (const auto& example = row->example_of(group.which))
+      return heading_of(group) + hypotheses_of(group) + example_text(*example);
   }
-  return text;
+  return heading_of(group) + hypotheses_of(group);
 }
 
 /// By class, the worst first.
@@ -166,6 +166,10 @@ std::string environment_text(const Environment& e) {
 
 }  // namespace
 
+std::string words_of(const Failure& failure) {
+  return failure.at + ": " + failure.reason;
+}
+
 std::string findings_of(const Row& row) {
   std::string text = fmt::format("{} asked", row.asked());
   for (std::size_t c = 0; c < kClasses; ++c) {
@@ -181,7 +185,7 @@ std::string sentence(const Verdict& verdict) {
   if (verdict.interrupted) return subject + ": interrupted, no verdict";
   if (verdict.failed > 0) {
     return fmt::format("{}: no verdict, since it failed {} times: {}", subject, verdict.failed,
-                       verdict.failures.empty() ? "" : verdict.failures.front());
+                       verdict.failures.empty() ? "" : words_of(verdict.failures.front()));
   }
   if (verdict.asked() == 0) return subject + ": no verdict, since nothing was asked of it";
   const auto failing = verdict.failing();
@@ -212,10 +216,15 @@ std::string report_text(const Verdict& verdict, bool every_row) {
   std::string text = table(verdict);
   if (every_row) text += every_row_text(verdict);
   text += findings_text(verdict);
-  for (const std::string& failure : verdict.failures) text += "FAILED " + failure + "\n";
+  for (const Failure& failure : verdict.failures) {
+    text += "FAILED " + words_of(failure) + "\n";
+    for (const std::string& command : failure.commands) text += "      " + command + "\n";
+  }
   text += environment_text(verdict.environment);
   if (!verdict.not_offered.empty())
     text += fmt::format("not offered, so not asked: {}\n", fmt::join(verdict.not_offered, ", "));
+  if (!verdict.laws_not_asked.empty())
+    text += fmt::format("not asked either: {}\n", laws_not_asked_in_words(verdict));
   for (const auto& [key, note] : verdict.notes) text += fmt::format("{}: {}\n", key, note);
   return printable_lines(text) + sentence(verdict) + "\n";
 }

@@ -14,6 +14,12 @@ Vec revolution(const Given& g, double ratio, double slope, double side = 1) {
   return g.mu() * (g.v() - (ratio * norm(g.v()) / norm(direction)) * direction);
 }
 
+/// v·û without the third component of either.
+double v_n_of_two(const Given& g) {
+  const Vec v = g.v(), n = g.n();
+  return v[0] * n[0] + v[1] * n[1];
+}
+
 double right_ratio(const Given& g) {
   return std::pow(g.number("c_revolve"), g.angle() / M_PI);
 }
@@ -80,6 +86,12 @@ void add_response_mistakes(std::vector<Mistake>& m) {
     return (g.number("m_A") / g.mu()) * rebound(g, 1 + g.number("c"));
   }));
 
+  m.push_back(impulse("the smaller mass instead of the reduced mass", eq4, [](const Given& g) {
+    return (std::min(g.number("m_A"), g.number("m_B")) / g.mu()) * rebound(g, 1 + g.number("c"));
+  }));
+  m.push_back(impulse("v_n of two components of three", eq4,
+                      [](const Given& g) { return ((1 + g.number("c")) * g.mu() * v_n_of_two(g)) * g.n(); }));
+
   for (const std::string op : {"revolution_impulse", "tether_response"}) {
     const std::string word = op == "tether_response" ? "revolve" : "";
     m.push_back(impulse(
@@ -108,6 +120,12 @@ void add_response_mistakes(std::vector<Mistake>& m) {
     m.push_back(impulse(
         "c_revolve to the power θ/2π", {op},
         [](const Given& g) { return revolution(g, std::sqrt(right_ratio(g)), std::tan(g.angle())); }, word));
+    m.push_back(impulse(
+        "|v_ŵ| instead of |v_AB|", {op},
+        [](const Given& g) {
+          return revolution(g, right_ratio(g) * norm(g.w()) / norm(g.v()), std::tan(g.angle()));
+        },
+        word));
     m.push_back(impulse(
         "c_revolve taken as 1", {op}, [](const Given& g) { return revolution(g, 1, std::tan(g.angle())); },
         word));

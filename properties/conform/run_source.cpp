@@ -24,6 +24,10 @@ Run failed(std::string problem, std::string trace = {}) {
   return {Run::Kind::failed, std::move(trace), std::move(problem)};
 }
 
+Run endless(std::string problem, std::string trace) {
+  return {Run::Kind::endless, std::move(trace), std::move(problem)};
+}
+
 Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout) {
   ChildProcess process(executing(words));
   const Clock::time_point deadline = Clock::now() + timeout;
@@ -35,18 +39,18 @@ Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout
       case Status::line:
         trace += line.text + "\n";
         if (trace.size() > kLongestTrace)
-          return failed(fmt::format("floods: more than {} bytes of trace", kLongestTrace), std::move(trace));
+          return endless(fmt::format("floods: more than {} bytes of trace", kLongestTrace), std::move(trace));
         break;
       case Status::late:
-        return failed(fmt::format("hung: no end within {} ms{}", timeout.count(), line.text),
-                      std::move(trace));
+        return endless(fmt::format("hung: no end within {} ms{}", timeout.count(), line.text),
+                       std::move(trace));
       case Status::too_long:
         return failed("garbage: a line without an end: " + line.text);
       case Status::closed:
         return failed("closed its output and went on" + line.text);
       case Status::ended:
         if (line.code == kRefuses && trace.empty()) return {Run::Kind::refused, {}, line.text};
-        if (line.code != 0 && line.code != kStalls) return failed(line.text);
+        if (line.code != 0 && line.code != kStalls) return failed(line.text, std::move(trace));
         return {Run::Kind::traced, std::move(trace), {}};
     }
   }

@@ -16,10 +16,11 @@ struct Run {
   enum class Kind {
     traced,
     refused,  ///< no scene for this simulator
-    failed,   ///< a crash, a hang, a flood, a breach of the protocol
+    endless,  ///< a hang, a flood
+    failed,   ///< a crash, a breach of the protocol
   };
   Kind kind = Kind::traced;
-  std::string trace = {};  ///< of a run that failed, what came before
+  std::string trace = {};  ///< of a run that has no end or failed, what came before
   std::string problem = {};
 };
 

@@ -2,31 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include "properties/conform/mistakes.hpp"
+#include "properties/conform/quadratic.hpp"
 
 namespace tps::properties::conform {
 namespace {
-
-struct Quadratic {
-  double a, h, c, D;
-
-  explicit Quadratic(const Given& g) : Quadratic(g.r(), g.v(), g.number("L")) {}
-  Quadratic(const Vec& r, const Vec& v, double L)
-      : a(dot(v, v)), h(dot(r, v)), c(dot(r, r) - L * L), D(h * h - a * c) {}
-
-  bool has_roots() const { return a > 0 && D >= 0; }
-  double smaller() const { return (-h - std::sqrt(D)) / a; }
-  double larger() const { return (-h + std::sqrt(D)) / a; }
-  /// D1's literal rule.
-  std::optional<double> literal() const {
-    if (!has_roots() || larger() < 0) return std::nullopt;
-    return smaller() >= 0 ? smaller() : larger();
-  }
-};
-
-Mistaken at(std::optional<double> t) {
-  return {{{"t", t ? Vec{*t} : Vec{}}}};
-}
 
 using Times = std::function<std::optional<Mistaken>(const Quadratic&, const Given&)>;
 
@@ -93,12 +72,18 @@ void add_timing_mistakes(std::vector<Mistake>& mistakes) {
   plain("a time before now", both, [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
     return q.smaller() < 0 ? std::optional(at(q.smaller())) : std::nullopt;
   });
-  plain("no event for a pair that is at its limit or beyond it", both,
-        [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
-          const double beyond = 1e-9 * (std::fabs(q.c) + 1);
-          return std::fabs(q.c) <= beyond || (q.h < 0) == (q.c < 0) ? std::optional(at(std::nullopt))
-                                                                    : std::nullopt;
-        });
+  const auto lost = [&](const char* op, bool (*is_beyond)(const Quadratic&)) {
+    mistakes.push_back({"no event for a pair that is at its limit or beyond it",
+                        {op},
+                        [is_beyond](const Given& g) -> std::optional<Mistaken> {
+                          const Quadratic q(g);
+                          const double L = g.number("L");
+                          const bool is_at = std::fabs(q.c) <= 1e-9 * L * L;
+                          return is_at || is_beyond(q) ? std::optional(at(std::nullopt)) : std::nullopt;
+                        }});
+  };
+  lost("block_time", [](const Quadratic& q) { return q.c < 0 && q.h < 0; });
+  lost("tether_time", [](const Quadratic& q) { return q.c > 0 && q.h >= 0; });
   mistakes.push_back({"first and second exchanged", {"order"}, exchanged});
 }
 

@@ -11,10 +11,19 @@ std::uint64_t Row::asked() const {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-void Row::add(const Grade& grade, Example shown) {
+const Example* Row::worst_example() const {
+  for (std::size_t c = kClasses; c-- > 0;) {
+    if (examples[c]) return &*examples[c];
+  }
+  return nullptr;
+}
+
+void Row::add(const Grade& grade, const std::function<Example()>& show) {
   ++counts[index_of(grade.which)];
   // Of answers that hold to rounding the worst is told, of others the first.
-  if (grade.which <= Class::rounding) {
+  if (grade.which == Class::right) return;
+  if (grade.which == Class::rounding) {
+    if (grade.cond == 0) return;  // terms cancel: there are no units of its size
     // By what the condition of the question does not explain.
     if (grade.units * std::max(worst_cond, 1.0) > worst_units * std::max(grade.cond, 1.0)) {
       worst_units = grade.units;
@@ -22,16 +31,13 @@ void Row::add(const Grade& grade, Example shown) {
     }
     return;
   }
-  if (example_is_kept(grade.which)) return;
-  shown.which = grade.which;
-  shown.units = grade.units;
-  shown.cond = grade.cond;
-  if (shown.why.empty()) shown.why = grade.why;
-  example = std::move(shown);
-}
-
-bool Row::example_is_kept(Class other) const {
-  return example && example->which >= other;
+  std::optional<Example>& example = examples[index_of(grade.which)];
+  if (example) return;
+  example = show();
+  example->which = grade.which;
+  example->units = grade.units;
+  example->cond = grade.cond;
+  if (example->why.empty()) example->why = grade.why;
 }
 
 bool Profile::accepts(const Row& row) const {
@@ -41,10 +47,10 @@ bool Profile::accepts(const Row& row) const {
   return true;
 }
 
-void Verdict::note_failure(const std::string& at, const std::string& reason) {
+void Verdict::note_failure(Failure failure) {
   constexpr std::size_t kShown = 5;
   ++failed;
-  if (failures.size() < kShown) failures.push_back(at + ": " + reason);
+  if (failures.size() < kShown) failures.push_back(std::move(failure));
 }
 
 std::array<std::uint64_t, kClasses> Verdict::counts() const {

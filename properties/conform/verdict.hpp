@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,17 +36,30 @@ struct Row {
   std::optional<std::uint64_t> reference =
       {};  ///< how many the reference in the same numbers has right or to rounding
   double worst_units = 0, worst_cond = 0;
-  std::optional<Example> example =
-      {};  ///< of the worst class above NOT BITWISE, the first; else of NOT BITWISE
+  std::array<std::optional<Example>, kClasses> examples =
+      {};                                                ///< of each class from NOT BITWISE on, the first
   std::map<std::string, std::uint64_t> hypotheses = {};  ///< what explains how many of the wrong answers
 
   std::uint64_t asked() const;
   std::uint64_t of_class(Class c) const { return counts[index_of(c)]; }
-  /// Adds one grade; `shown` becomes the example where it is the first of a class worse than those before.
-  void add(const Grade& grade, Example shown);
+  const std::optional<Example>& example_of(Class c) const { return examples[index_of(c)]; }
+  /// That of the worst class; null where every answer holds to rounding.
+  const Example* worst_example() const;
+  /// Adds one grade; `show` is called where it is the first of its class and not to rounding.
+  void add(const Grade& grade, const std::function<Example()>& show);
+};
 
- private:
-  bool example_is_kept(Class other) const;
+/// A crash, a hang, a breach of the protocol.
+struct Failure {
+  std::string at;                     ///< the known answer, the law and its case, the scene
+  std::string reason;                 ///< what the subject did
+  std::vector<std::string> commands;  ///< that show the right answer, and ask the subject again
+};
+
+/// A law that was not asked since the subject lacks an operation.
+struct LawNotAsked {
+  std::string number;              ///< "(2) law 1"
+  std::vector<std::string> needs;  ///< what it lacks
 };
 
 /// Which classes fail, by profile.
@@ -74,14 +88,14 @@ struct Verdict {
   Environment environment;
   std::vector<Row> rows;
   std::vector<std::string> not_offered;
-  std::vector<std::string> failures;  ///< crashes, hangs, breaches of the protocol, in words; the first few
-  std::uint64_t failed = 0;           ///< all of them
+  std::vector<LawNotAsked> laws_not_asked;
+  std::vector<Failure> failures;  ///< the first few
+  std::uint64_t failed = 0;       ///< all of them
   bool interrupted = false;
   std::vector<std::string> expected_failures;  ///< names of rows that may fail, and must
   std::map<std::string, std::string> notes;    ///< in order of their keys: what is to be known besides
 
-  /// A crash, a hang, a breach of the protocol.
-  void note_failure(const std::string& at, const std::string& reason);
+  void note_failure(Failure failure);
 
   std::uint64_t asked() const;
   std::array<std::uint64_t, kClasses> counts() const;

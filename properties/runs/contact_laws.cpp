@@ -3,30 +3,12 @@
 
 #include "properties/runs/choices.hpp"
 #include "properties/runs/collision.hpp"
+#include "properties/runs/contact_scenes.hpp"
 #include "properties/runs/laws.hpp"
 #include "reference/equations/directed_rounding.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-/// Pairs that touch and move across, each of a species of its own, so that none knows of the others. Whether
-/// r·v and v·û come out negative, zero or positive is rounding: in one of some hundred pairs they disagree.
-Scene contacts(int dimension) {
-  Scene scene;
-  scene.dimension = dimension != 0 ? dimension : pick({2, 3});
-  scene.duration = 1;
-  const int pairs = *rc::gen::inRange(1, 33);
-  for (int n = 0; n < pairs; ++n) {
-    const double angle = *rc::gen::inRange(0, 1000);
-    const double speed = around_zero(3000) / 997.0;
-    const Coordinates across{-speed * std::sin(angle), speed * std::cos(angle), 0};
-    scene.species.push_back({"s" + std::to_string(n), 1, 0.5, {}});
-    scene.pairs.push_back({n, n, BlockingLaw{1, 1}, {}});
-    scene.particles.push_back({2 * n, n, {}, {}});
-    scene.particles.push_back({2 * n + 1, n, {std::cos(angle), std::sin(angle), 0}, across});
-  }
-  return scene;
-}
 
 /// Pairs of a ball and a wall, each of species of its own, that meet head-on along directions of small
 /// integers and keep little or nothing of their speed: rounding decides the sign of what is left.
@@ -85,12 +67,7 @@ std::vector<RunLaw> contact_laws() {
       {22, "Repulsion",
        "No rebound attracts: where rounding leaves a pair receding at its inner limit, the event stands "
        "with Δp = 0.",
-       "docs/decisions.md",
-       [](int dimension) {
-         return rc::gen::resize(rc::kNominalSize,
-                                rc::gen::exec([dimension] { return SmallScene{contacts(dimension)}; }));
-       },
-       repels},
+       "docs/decisions.md", touching_pairs, repels},
       {24, "Departure",
        "After a rebound the stored velocities of a pair do not approach, in exact arithmetic; after a pull "
        "they come together, or the pair is at rest (D22).",

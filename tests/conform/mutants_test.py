@@ -16,6 +16,9 @@ import mutants
 import simulator_mutants
 
 
+FLOAT = "float32 inside"
+
+
 def mutate(adapters, mutant):
     for file, old, new in ((mutant.file, mutant.old, mutant.new), *getattr(mutant, "also", ())):
         path = adapters / file
@@ -56,6 +59,8 @@ def faults_of_wrong_adapter(mutant, code, report):
     found = {name for row in rows for name in row.get("equals", [])}
     if mutant.equals and mutant.equals not in found:
         yield f"hypotheses {sorted(found)}, expected {mutant.equals}"
+    if FLOAT in found and mutant.equals != FLOAT:
+        yield f"{FLOAT} is named"
 
 
 def faults_of_wrong_simulator(mutant, code, report):

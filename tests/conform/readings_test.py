@@ -7,9 +7,11 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 TPS = sys.argv[1]
+CONTACTS = 5  # the number of a scene in which D12 shows
 SIMULATOR = pathlib.Path(__file__).resolve().parent / "other_readings.py"
 
 
@@ -37,6 +39,17 @@ class Readings(unittest.TestCase):
 
     def test_d11_a_pair_is_asked_again(self):
         self.named("D11", "no-phases,no-impulses,no-groups", 28)
+
+    def test_d12_differs_by_less_than_the_check_allows(self):
+        """Contacts that neither approach nor recede but for rounding: the traces differ, and both are right."""
+        number, features = CONTACTS, "contacts"
+        with tempfile.NamedTemporaryFile(suffix=".json") as scene:
+            subprocess.run([TPS, "scene", "random", "--features", features, "--number", str(number), "-o", scene.name], check=True)
+            one, other = (subprocess.run([sys.executable, "-B", str(SIMULATOR), reading, scene.name], capture_output=True, check=True).stdout
+                          for reading in ("none", "D12"))
+        self.assertNotEqual(one, other)
+        code, found = verdict("D12", features, number, 1)
+        self.assertEqual((code, found["classes"]["RIGHT"]), (0, found["asked"]))
 
     def test_d13_another_order_of_ties(self):
         self.named("D13", "no-phases,no-impulses", 0, 5)

@@ -15,20 +15,21 @@ from responses import apply_impulse
 
 def run(scene, max_events=math.inf):
     """The lines of a minimal trace (docs/check.md)."""
-    pairs, duration, clock, events, still = Pairs(scene), read(scene["duration"]), 0.0, 0, 0
+    pairs, start, duration = Pairs(scene), read(scene.get("start_time", 0)), read(scene["duration"])
+    clock, events, still = 0.0, 0, 0  # since the start; the trace has the scene's clock
     yield {"trace": 1, "form": "minimal", "positions": "eager", "scene": scene}
     while still <= 10000 + len(pairs.u) * (len(pairs.u) - 1) // 2:
         t, limit, i, j = first_due(pairs)
         if t == math.inf:
-            return (yield {"end": "no_more_events", "events": events, "t": clock})
+            return (yield {"end": "no_more_events", "events": events, "t": start + clock})
         if events >= max_events:
-            return (yield {"end": "max_events", "events": events, "t": clock})
+            return (yield {"end": "max_events", "events": events, "t": start + clock})
         if clock + t > duration:
-            return (yield {"end": "duration", "events": events, "t": duration})
+            return (yield {"end": "duration", "events": events, "t": start + duration})
         still = still + 1 if clock + t == clock else 0
         clock, events = clock + t, events + 1
-        yield {"t": clock, **event(pairs, t, limit, i, j)}
-    yield {"end": "stalled", "events": events, "t": clock}
+        yield {"t": start + clock, **event(pairs, t, limit, i, j)}
+    yield {"end": "stalled", "events": events, "t": start + clock}
 
 
 def next_event(scene):

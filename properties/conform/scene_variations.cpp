@@ -1,0 +1,121 @@
+#include "properties/conform/scene_variations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "properties/conform/expected.hpp"
+#include "properties/conform/mistakes.hpp"
+#include "properties/runs/scratch_file.hpp"
+#include "reference/run/run.hpp"
+#include "reference/text/plain_json.hpp"
+
+namespace tps::properties::conform {
+namespace {
+
+bool once_in(std::uint64_t many, rc::Random& stream) {
+  return stream.next() % many == 0;
+}
+
+template <typename Item>
+const Item& one_of(const std::vector<Item>& items, rc::Random& stream) {
+  return items[stream.next() % items.size()];
+}
+
+bool can_form(const PairLaw& law) {
+  return law.blocking && law.tethering && law.tethering->form.when != FormRule::When::permanent;
+}
+
+/// Pairs of species by their indices in the scene's pairs, with |Δp| of their outer collisions, in order.
+using Pulls = std::map<std::size_t, std::vector<double>>;
+
+/// Of a pair of particles that interact.
+std::size_t law_of(const Scene& scene, int i, int j) {
+  const auto species = [&](int id) {
+    return std::find_if(scene.particles.begin(), scene.particles.end(),
+                        [id](const Particle& p) { return p.id == id; })
+        ->species;
+  };
+  const int one = species(i), other = species(j);
+  const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const PairLaw& law) {
+    return law.species_a == std::min(one, other) && law.species_b == std::max(one, other);
+  });
+  return static_cast<std::size_t>(found - scene.pairs.begin());
+}
+
+Pulls pulls_in_run(const Scene& scene, std::uint64_t most_events) {
+  const runs::ScratchFile file;
+  RunOptions options;
+  options.max_events = most_events;
+  options.trace = file.path();
+  run_scene(scene, options);
+  std::istringstream lines(file.content());
+  Pulls pulls;
+  for (std::string line; std::getline(lines, line);) {
+    const Json event = parse_plain_json(line, "trace");
+    const std::string kind = event.value("kind", "");
+    if (kind != "retract" && kind != "revolve") continue;
+    const double size = norm(numbers_of(event.at("dp")).value());
+    pulls[law_of(scene, event.at("i").get<int>(), event.at("j").get<int>())].push_back(size);
+  }
+  return pulls;
+}
+
+/// Those that exceed all before them.
+std::vector<double> records(const std::vector<double>& sizes) {
+  std::vector<double> found;
+  for (const double size : sizes) {
+    if (size > (found.empty() ? 0 : found.back())) found.push_back(size);
+  }
+  return found;
+}
+
+}  // namespace
+
+Scene untethered(Scene scene, const Wishes& wanted, rc::Random& stream) {
+  if (!wanted.changing_tethers || !once_in(2, stream)) return scene;
+  bool any = false;
+  for (PairLaw& law : scene.pairs) {
+    if (!can_form(law)) continue;
+    any = true;
+    if (law.tethering->form.when == FormRule::When::never) law.tethering->form = {FormRule::When::always, 1};
+  }
+  if (!any) return scene;
+  scene.tethers.clear();
+  for (Species& species : scene.species) {
+    if (std::isfinite(species.mass) && once_in(2, stream))
+      species.max_tethers = 1 + static_cast<int>(stream.next() % 2);
+  }
+  return scene;
+}
+
+Scene with_near_threshold(Scene scene, const Wishes& wanted, rc::Random& stream) {
+  constexpr std::uint64_t kMostEvents = 100;
+  if (!wanted.changing_tethers || !scene.phases.empty() || !once_in(2, stream)) return scene;
+  Scene unbroken = scene;
+  for (PairLaw& law : unbroken.pairs) {
+    if (law.tethering && law.tethering->form.when != FormRule::When::permanent) law.tethering->breaks = {};
+  }
+  std::vector<std::pair<std::size_t, double>> choices;
+  for (const auto& [law, sizes] : pulls_in_run(unbroken, kMostEvents)) {
+    if (unbroken.pairs[law].tethering->form.when == FormRule::When::permanent) continue;
+    for (const double size : records(sizes)) choices.emplace_back(law, size);
+  }
+  if (choices.empty()) return scene;
+  const auto& [law, size] = one_of(choices, stream);
+  BreakRule rule;
+  rule.when = BreakRule::When::impulse_above;
+  rule.threshold = size * (once_in(2, stream) ? 1.01 : 0.99);
+  unbroken.pairs[law].tethering->breaks = rule;
+  return unbroken;
+}
+
+Scene with_start_time(Scene scene, const Wishes& wanted, rc::Random& stream) {
+  // Near 0: who writes a time into one double loses what the start takes of it.
+  if (wanted.start_time && once_in(2, stream)) scene.start_time = one_of<double>({0.75, -2.5, 16}, stream);
+  return scene;
+}
+
+}  // namespace tps::properties::conform

@@ -1,0 +1,28 @@
+// What makes a random scene harder to get through by luck: a clock that does not start at 0, tethers that
+// have to form, thresholds beside an impulse that occurs.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "properties/runs/scenes.hpp"
+
+namespace tps::properties::conform {
+
+/// What the words of --features ask for.
+struct Wishes : runs::Wanted {
+  bool start_time = true;
+  bool contacts = false;  ///< pairs that touch and move across, and nothing else
+};
+
+/// Perhaps without the tethers that it starts with, so that they have to form, and particles that hold one or
+/// two of them.
+Scene untethered(Scene scene, const Wishes& wanted, rc::Random& stream);
+
+/// Perhaps with tethers of one pair of species that break above an impulse: 1 % above or below the |Δp| of a
+/// tethering collision of the reference's run that none before it exceeds. The run is the same up to there.
+Scene with_near_threshold(Scene scene, const Wishes& wanted, rc::Random& stream);
+
+/// Perhaps with a start_time, which shifts no other time of the scene.
+Scene with_start_time(Scene scene, const Wishes& wanted, rc::Random& stream);
+
+}  // namespace tps::properties::conform
