@@ -50,7 +50,7 @@ WRONG = [
     SimulatorMutant("threshold_5_percent_high", S, '> rule["impulse_above"]', '> 1.05 * rule["impulse_above"]', "run.whole", "tethers", first=4),
     SimulatorMutant("threshold_5_percent_low", S, '> rule["impulse_above"]', '> 0.95 * rule["impulse_above"]', "run.break", "tethers", first=20),
     SimulatorMutant("start_time_ignored", L, 'read(scene.get("start_time", 0))', "0.0"),
-    SimulatorMutant("no_duration_ends_at_once", L, 'read(scene["duration"])', 'read(scene["duration"] if scene["duration"] != "inf" else 0)', "run.end",
+    SimulatorMutant("no_duration_ends_at_once", L, 'read(scene["duration"])', '(read(scene["duration"]) if read(scene["duration"]) < math.inf else 0)', "run.end",
                     "it begins at", first=14),
     SimulatorMutant("infinite_mass_moves", R, "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n",
                     "def apply_impulse(m_A, m_B, v_A, v_B, dp):\n    m_A, m_B = min(m_A, 1e6), min(m_B, 1e6)\n", "run.infinite mass", first=4),
