@@ -26,10 +26,16 @@ double right_ratio(const Given& g) {
 
 using Impulse = std::function<Vec(const Given&)>;
 
-/// "dp" alone: that a response's velocities agree with it is judged by their own laws.
+/// "dp", and of a tether's response the velocities that eq. (3) makes of it.
 Mistake impulse(std::string name, std::vector<std::string> ops, Impulse dp, std::string word = {}) {
   return {std::move(name), std::move(ops), [dp = std::move(dp), word = std::move(word)](const Given& g) {
-            return std::optional(Mistaken{{{"dp", dp(g)}}, word});
+            const Vec pushed = dp(g);
+            Mistaken answer{{{"dp", pushed}}, word};
+            if (g.in().contains("c_retract")) {
+              answer.numbers.emplace_back("v_A", g.vec("v_A") + (1 / g.number("m_A")) * pushed);
+              answer.numbers.emplace_back("v_B", g.vec("v_B") - (1 / g.number("m_B")) * pushed);
+            }
+            return std::optional(std::move(answer));
           }};
 }
 

@@ -46,10 +46,10 @@ void add_timing_mistakes(std::vector<Mistake>& mistakes) {
   mistakes.push_back({"the smaller non-negative root without a test for approach, as printed (D1)", both,
                       [](const Given& g) { return std::optional(at(Quadratic(g).literal())); }});
   plain("twice the time: the quadratic divided by a instead of 2a", both,
-        [](const Quadratic& q, const Given& g) {
+        [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
           const bool is_block = q.h < 0 && q.c > 0 && q.smaller() > 0;
-          static_cast<void>(g);
-          return at(2 * (is_block ? q.smaller() : q.larger()));
+          const double t = is_block ? q.smaller() : q.larger();
+          return t == 0 ? std::nullopt : std::optional(at(2 * t));  // twice 0 tells nothing
         });
   mistakes.push_back(
       {"L taken as it is instead of squared", both, [](const Given& g) -> std::optional<Mistaken> {

@@ -243,6 +243,10 @@ class Reports(unittest.TestCase):
         schema = jsonschema.Draft202012Validator(json.loads((pathlib.Path(SOURCE) / "data/schemas/conform.schema.json").read_text()))
         found = report(*self.WORDS)[1]
         schema.validate(found)
+        crashed = report("--tags", "load.plain", "--", sys.executable, "-B", str(BROKEN), "crash")[1]
+        schema.validate(crashed)
+        self.assertEqual(len(crashed["failed_at"]), len(crashed["failures"]))
+        self.assertTrue(crashed["failed_at"][0]["commands"][0].startswith("tps eval apply_impulse"))
         self.assertFalse(schema.is_valid({**found, "unknown": 1}))
 
     def test_text_ends_with_the_sentence(self):
