@@ -123,7 +123,7 @@ class Protocol(unittest.TestCase):
     def test_failures_are_told_apart(self):
         for mode, word in (("crash", "crashed: signal 11"), ("exit", "ended with exit code 3"), ("hang", "hung"), ("garbage", "garbage"),
                            ("wrong_seq", "seq"), ("truncated", "in the middle of a line"), ("no_hello", "no name")):
-            code, out, err = conform("--timeout", "0.2", "--tags", "load.plain", "--", sys.executable, "-B", str(BROKEN), mode)
+            code, out, err = conform("--timeout", "0.5", "--tags", "load.plain", "--", sys.executable, "-B", str(BROKEN), mode)
             self.assertEqual(code, 4, mode + out)
             self.assertIn(word, out + err, mode)
 
@@ -189,7 +189,8 @@ class Simulators(unittest.TestCase):
             for name in ("protocol", "pairs", "responses", "timing"):
                 (pathlib.Path(folder) / f"{name}.py").write_text((ADAPTERS / f"{name}.py").read_text())
             (pathlib.Path(folder) / "paper_loop.py").write_text(loop)
-            code, out, _ = conform(*self.FEATURES, "--timeout", "0.5", "--simulator", f"{sys.executable} -B {folder}/paper_loop.py")
+            # Long enough for an interpreter to start on a busy machine.
+            code, out, _ = conform(*self.FEATURES[:2], "--scenes", "1", "--timeout", "2", "--simulator", f"{sys.executable} -B -E -S {folder}/paper_loop.py")
         self.assertEqual(code, 1, out)
         self.assertIn("WRONG", out)
 
