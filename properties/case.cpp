@@ -64,7 +64,9 @@ void Case::set(const Masses& m) {
 
 Kind kind_of(std::string_view key) {
   key = without_prefix(key);
-  if (key == "L" || key == "L_larger") return Kind::length;
+  if (key == "L" || key == "L_larger" || key.starts_with("R_") || key == "gamma") return Kind::length;
+  if (key == "s" || key == "mu") return Kind::not_negative;
+  if (key == "beta0") return Kind::signed_coefficient;
   if (key.starts_with("m_") || key == "m") return Kind::mass;
   if (key.starts_with("theta")) return Kind::angle;
   if (key == "c" || key.starts_with("c_")) return Kind::coefficient;
@@ -82,6 +84,10 @@ bool is_allowed(Kind kind, double x) {
       return x > 0;
     case Kind::coefficient:
       return x >= 0 && x <= 1;
+    case Kind::signed_coefficient:
+      return std::fabs(x) <= 1;
+    case Kind::not_negative:
+      return x >= 0;
     case Kind::angle:
       return x >= 1 && x <= 89;
     case Kind::exponent:

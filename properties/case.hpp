@@ -49,10 +49,20 @@ struct Case {
 };
 
 /// What a number of a case may be, by its key.
-enum class Kind { component, length, mass, coefficient, angle, exponent, index };
+enum class Kind {
+  component,
+  length,
+  mass,
+  coefficient,
+  signed_coefficient,
+  not_negative,
+  angle,
+  exponent,
+  index
+};
 Kind kind_of(std::string_view key);
-/// Whether cases may have that number: lengths and masses above 0, masses up to ∞, coefficients in [0, 1],
-/// angles in [1°, 89°], whole exponents and indices; everything else finite.
+/// Whether cases may have that number: lengths, rates and masses above 0, masses up to ∞, coefficients in [0,
+/// 1] or, signed, in [−1, 1], angles in [1°, 89°], whole exponents and indices; everything else finite.
 bool is_allowed(Kind kind, double x);
 /// Whether the key holds one vector, with as many components as the case has dimensions.
 bool is_vector(std::string_view key);

@@ -75,6 +75,12 @@ Json hex(double x) {
   return write_hex_float(x);
 }
 
+Time time_of(const std::string& op, const Json& out) {
+  Time time{word_of(op, out, "verdict"), std::nullopt};
+  if (const auto t = out.find("t"); t != out.end() && !t->is_null()) time.t = number_of(op, "t", *t);
+  return time;
+}
+
 }  // namespace
 
 Vec3 Interview::passed(const WideVector& x) const {
@@ -87,6 +93,10 @@ Json Interview::vector(const Vec3& x) const {
   Json list = Json::array();
   for (int k = 0; k < dimension_; ++k) list.push_back(hex(x[static_cast<std::size_t>(k)]));
   return list;
+}
+
+Json Interview::spin(const Vec3& x) const {
+  return dimension_ == 2 ? hex(x[0]) : vector(x);
 }
 
 Json Interview::pair_input(const PairState& pair) const {
@@ -135,10 +145,7 @@ Time Interview::time(const LimitQuery& query) {
   const char* op = name_of(query.kind);
   Json in = pair_input(query.pair);
   in["L"] = hex(query.L);
-  const Json out = ask(op, in);
-  Time time{word_of(op, out, "verdict"), std::nullopt};
-  if (const auto t = out.find("t"); t != out.end() && !t->is_null()) time.t = number_of(op, "t", *t);
-  return time;
+  return time_of(op, ask(op, in));
 }
 
 Time Interview::block_time(const PairState& pair, double L) {
@@ -232,6 +239,42 @@ GroupVelocities Interview::group(const GroupCase& group) {
     return result;
   };
   return {velocities("loaded"), velocities("restituted")};
+}
+
+Time Interview::wall_time(const PairState& pair, double L, const Vec3& normal) {
+  Json in = pair_input(pair);
+  in.update({{"L", hex(L)}, {"normal", vector(normal)}});
+  return time_of("wall_time", ask("wall_time", in));
+}
+
+Time Interview::drag_time(double gamma, double s) {
+  return time_of("drag_time", ask("drag_time", {{"gamma", hex(gamma)}, {"s", hex(s)}}));
+}
+
+RoughAnswer Interview::rough_impulse(const RoughQuestion& q) {
+  const char* op = "rough_impulse";
+  Json in = pair_input(q.pair);
+  in.update({{"spin_A", spin(q.spin_A)},
+             {"spin_B", spin(q.spin_B)},
+             {"m_A", hex(q.m.A)},
+             {"m_B", hex(q.m.B)},
+             {"R_A", hex(q.R_A)},
+             {"R_B", hex(q.R_B)},
+             {"c", hex(q.c)},
+             {"mu", hex(q.mu)},
+             {"beta0", hex(q.beta0)}});
+  const Json out = ask(op, in);
+  const auto result = [&](const char* key) { return vector_of(op, key, field(op, out, key), dimension_); };
+  const auto turning = [&](const char* key) {
+    if (dimension_ == 3) return result(key);
+    const Json& spin = field(op, out, key);
+    return WideVector{0, 0, number_of(op, key, spin.is_array() && spin.size() == 1 ? spin[0] : spin)};
+  };
+  return {word_of(op, out, "kind"),
+          result("dp"),
+          {result("v_A"), result("v_B")},
+          turning("spin_A"),
+          turning("spin_B")};
 }
 
 }  // namespace tps::properties

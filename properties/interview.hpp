@@ -44,6 +44,22 @@ struct GroupCase {
   std::vector<GroupCollision> collisions;
 };
 
+/// A rebound of rough particles; in the plane a spin is its first number.
+struct RoughQuestion {
+  PairState pair;
+  Vec3 spin_A, spin_B;
+  Masses m;
+  double R_A, R_B, c, mu, beta0;
+};
+
+/// In the plane a spin stands along z.
+struct RoughAnswer {
+  std::string kind;
+  WideVector dp;
+  Velocities after;
+  WideVector spin_A, spin_B;
+};
+
 struct GroupVelocities {
   std::vector<WideVector> loaded, restituted;
 };
@@ -59,6 +75,7 @@ class Interview {
  public:
   Interview(Implementation& subject, int dimension) : subject_(subject), dimension_(dimension) {}
 
+  Format format() const { return subject_.format(); }
   /// Unit roundoff of results.
   Wide u() const { return ldexp(Wide(1), -subject_.format().bits); }
   /// Unit roundoff of a result that is passed on as the input of another question: that of double at best.
@@ -83,11 +100,15 @@ class Interview {
   WideVector load(const Masses& m, const Vec3& v_A, const Vec3& v_B);
   WideVector restitution_impulse(const Masses& m, const Vec3& v_A, const Vec3& v_B, const Vec3& dp);
   GroupVelocities group(const GroupCase& group);
+  Time wall_time(const PairState& pair, double L, const Vec3& normal);
+  Time drag_time(double gamma, double s);
+  RoughAnswer rough_impulse(const RoughQuestion& question);
 
   const std::vector<Question>& questions() const { return questions_; }
 
  private:
   Json vector(const Vec3& x) const;
+  Json spin(const Vec3& x) const;
   Json pair_input(const PairState& pair) const;
   Json ask(const std::string& op, Json in);
 

@@ -76,5 +76,14 @@ void add_laws(std::vector<Law>& laws);
 namespace group {
 void add_laws(std::vector<Law>& laws);
 }
+namespace wall {
+void add_laws(std::vector<Law>& laws);
+}
+namespace drag {
+void add_laws(std::vector<Law>& laws);
+}
+namespace rough {
+void add_laws(std::vector<Law>& laws);
+}
 
 }  // namespace tps::properties

@@ -38,6 +38,9 @@ const std::vector<Law>& laws() {
     eq6::add_laws(made);
     eq7::add_laws(made);
     group::add_laws(made);
+    wall::add_laws(made);
+    drag::add_laws(made);
+    rough::add_laws(made);
     sort_by_number(made);
     return made;
   }();

@@ -1,5 +1,5 @@
 /* A whole implementation behind tps_implementation.h, in double: what a library of yours may look like. It offers all
- * operations but `order` and `group`. Built a second time with TPS_EXAMPLE_BUG it forgets 1 in (1 + c): see how the
+ * operations but `order` and `group`, the three of effects beyond the paper among them. Built a second time with TPS_EXAMPLE_BUG it forgets 1 in (1 + c): see how the
  * laws find that (docs/properties.md). Build without contraction to fused multiply-adds: -ffp-contract=off.
  */
 #include <math.h>
@@ -155,6 +155,50 @@ static tps_status restitution_impulse(int dimension, double m_A, double m_B, con
   return TPS_ANSWERED;
 }
 
+static tps_status wall_time(const tps_pair *pair, double L, const double normal[3], tps_time *answer) {
+  double r[3], v[3];
+  difference(pair->u_B, pair->u_A, r);
+  difference(pair->v_B, pair->v_A, v);
+  const double gap = dot(normal, r) - L, towards = -dot(normal, v);
+  if (v[0] == 0 && v[1] == 0 && v[2] == 0) return answer_never(answer, TPS_STATIC);
+  if (towards <= 0) return answer_never(answer, TPS_RECEDING);
+  if (gap <= 0) return answer_time(answer, gap < 0 ? TPS_OVERLAP : TPS_CONTACT, 0);
+  return answer_time(answer, TPS_HIT, gap / towards);
+}
+
+static tps_status drag_time(double gamma, double s, tps_time *answer) {
+  if (gamma * s >= 1) return answer_never(answer, TPS_MISS);
+  return answer_time(answer, TPS_HIT, -log1p(-gamma * s) / gamma);
+}
+
+static void cross(const double a[3], const double b[3], double result[3]) {
+  for (int k = 0; k < 3; ++k) result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static tps_status rough_impulse(const tps_rough_pair *q, tps_contact *contact, double dp[3], double new_A[3],
+                                double new_B[3], double new_spin_A[3], double new_spin_B[3]) {
+  const frame f = frame_of(&q->pair);
+  const double K = q->pair.dimension == 2 ? 1. / 2 : 2. / 5; /* I/(m R^2) of a disc, of a sphere */
+  double surface[3], turned[3], slip[3], across[3], turn[3];
+  for (int k = 0; k < 3; ++k) surface[k] = q->R_A * q->spin_A[k] + q->R_B * q->spin_B[k];
+  cross(surface, f.u_hat, turned);
+  difference(f.v_w, turned, slip);
+  collision_impulse(&q->pair, q->m_A, q->m_B, q->c, dp);
+  const double held = (1 + q->beta0) * K / (1 + K) * reduced_mass(q->m_A, q->m_B), speed = length(slip);
+  const double most = q->mu * length(dp);
+  *contact = held * speed <= most ? TPS_STICKS : TPS_SLIDES;
+  for (int k = 0; k < 3; ++k) {
+    across[k] = *contact == TPS_STICKS ? held * slip[k] : most / speed * slip[k];
+    dp[k] += across[k];
+  }
+  cross(f.u_hat, across, turn);
+  for (int k = 0; k < 3; ++k) {
+    new_spin_A[k] = q->spin_A[k] + turn[k] / (K * q->m_A * q->R_A);
+    new_spin_B[k] = q->spin_B[k] + turn[k] / (K * q->m_B * q->R_B);
+  }
+  return apply_impulse(3, q->m_A, q->m_B, q->pair.v_A, q->pair.v_B, dp, new_A, new_B);
+}
+
 const tps_implementation *tps_get_implementation(void) {
   static const tps_implementation table = {
       .version = TPS_IMPLEMENTATION_VERSION,
@@ -168,6 +212,9 @@ const tps_implementation *tps_get_implementation(void) {
       .tether_response = tether_response,
       .load = load,
       .restitution_impulse = restitution_impulse,
+      .wall_time = wall_time,
+      .drag_time = drag_time,
+      .rough_impulse = rough_impulse,
   };
   return &table;
 }

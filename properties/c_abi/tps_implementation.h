@@ -16,8 +16,8 @@
 extern "C" {
 #endif
 
-/* Grows when the table changes its shape. */
-#define TPS_IMPLEMENTATION_VERSION 1
+/* Grows when the table does. A library with a table of version 1, which ends before wall_time, is still taken. */
+#define TPS_IMPLEMENTATION_VERSION 2
 
 /* What an operation returns. */
 typedef enum tps_status {
@@ -43,6 +43,8 @@ typedef enum tps_limit { TPS_BLOCK = 0, TPS_TETHER = 1 } tps_limit;
 typedef enum tps_order { TPS_BEFORE = 0, TPS_AFTER = 1, TPS_EQUAL = 2, TPS_NONE = 3 } tps_order;
 
 typedef enum tps_response { TPS_RETRACT = 0, TPS_REVOLVE = 1 } tps_response;
+
+typedef enum tps_contact { TPS_STICKS = 0, TPS_SLIDES = 1 } tps_contact;
 
 /* Two particles: positions u, velocities v. */
 typedef struct tps_pair {
@@ -74,6 +76,17 @@ typedef struct tps_collision {
   double c; /* in [0, 1] */
 } tps_collision;
 
+/* Particles that turn: spins are angular velocities, in the plane the third component alone. */
+typedef struct tps_rough_pair {
+  tps_pair pair;
+  double spin_A[3], spin_B[3];
+  double m_A, m_B;
+  double R_A, R_B; /* radii, above 0 */
+  double c;        /* restitution along the axis, in [0, 1] */
+  double mu;       /* coefficient of friction, at least 0 */
+  double beta0;    /* restitution across the axis, in [-1, 1] */
+} tps_rough_pair;
+
 typedef struct tps_implementation {
   int version;      /* TPS_IMPLEMENTATION_VERSION */
   const char* name; /* for reports */
@@ -104,6 +117,16 @@ typedef struct tps_implementation {
   /* Loads the collisions in order, then unwinds: `loaded` and `restituted` have a row for each body. */
   tps_status (*group)(int dimension, int body_count, const tps_body* bodies, int collision_count,
                       const tps_collision* collisions, double (*loaded)[3], double (*restituted)[3]);
+
+  /* Since version 2: effects beyond the paper (docs/effects.md). */
+
+  /* B before a plane through A with this normal of length 1, at the distance L; verdicts as those of block_time */
+  tps_status (*wall_time)(const tps_pair* pair, double L, const double normal[3], tps_time* answer);
+  /* t = -ln(1 - gamma s)/gamma; where gamma s >= 1 it does not occur. The verdict is not read. */
+  tps_status (*drag_time)(double gamma, double s, tps_time* answer);
+  /* Eq. (4) along the axis, Walton's friction across it. */
+  tps_status (*rough_impulse)(const tps_rough_pair* pair, tps_contact* contact, double dp[3], double new_A[3],
+                              double new_B[3], double new_spin_A[3], double new_spin_B[3]);
 } tps_implementation;
 
 /* The one symbol of the library. What it returns lives as long as the library. */

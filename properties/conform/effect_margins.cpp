@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/wide.hpp"
+#include "properties/laws/drag_clock.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -48,13 +48,6 @@ bool is_verdict_of_plane(const PlaneNumbers& q, const std::string& verdict) {
   return verdict == "overlap" && approaches && may_be(q.gap, q.gap_error, -1);
 }
 
-/// −ln(1 − z), without the digits that 1 − z would lose.
-Wide minus_log(const Wide& z) {
-  // What the series leaves out is below 2^-300 of it; above, 1 − z keeps 400 bits.
-  if (z < ldexp(Wide(1), -100)) return z * (1 + z * (Wide(1) / 2 + z / 3));
-  return -log(Wide(1 - z));
-}
-
 /// Whether z off by `error` on either side explains the answer.
 bool explains_drag(const Wide& gamma, const Wide& z, const Wide& error, const TimeAnswer& answer,
                    const Wide& u) {
@@ -63,9 +56,9 @@ bool explains_drag(const Wide& gamma, const Wide& z, const Wide& error, const Ti
   if (answer.verdict && !reached && *answer.verdict != "never") return false;
   if (!reached) return !answer.t && most >= 1;
   if (!answer.t || least >= 1) return false;
-  const auto time = [&](const Wide& of) { return Wide(minus_log(of) / gamma); };
   const Wide t(*answer.t);
-  return t >= time(least) * (1 - 4 * u) && (most >= 1 || t <= time(most) * (1 + 4 * u));
+  return t >= time_of_clock(gamma, least) * (1 - 4 * u) &&
+         (most >= 1 || t <= time_of_clock(gamma, most) * (1 + 4 * u));
 }
 
 Vec crossed(const Vec& omega, const Vec& x) {

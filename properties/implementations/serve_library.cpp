@@ -1,6 +1,5 @@
 #include "properties/implementations/serve_library.hpp"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,28 +14,13 @@
 
 #include "properties/c_abi/tps_implementation.h"
 #include "properties/case.hpp"
+#include "properties/implementations/library_table.hpp"
 #include "reference/equations/timing_verdict.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties {
 namespace {
-
-const tps_implementation& load_table(const std::string& path) {
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw std::runtime_error(fmt::format("cannot be loaded: {}", ::dlerror()));
-  using Getter = const tps_implementation* (*)();
-  const auto get = reinterpret_cast<Getter>(::dlsym(library, "tps_get_implementation"));
-  if (get == nullptr) throw std::runtime_error("has no function tps_get_implementation()");
-  const tps_implementation* table = get();
-  if (table == nullptr) throw std::runtime_error("tps_get_implementation() returned a null pointer");
-  if (table->version != TPS_IMPLEMENTATION_VERSION) {
-    throw std::runtime_error(fmt::format("has a table of version {}; this program knows version {}",
-                                         table->version, TPS_IMPLEMENTATION_VERSION));
-  }
-  if (table->name == nullptr) throw std::runtime_error("has a table without a name");
-  return *table;
-}
 
 /// Not offered: a null pointer in the table.
 struct NotOffered {};
@@ -75,6 +59,9 @@ class Request {
       return {{"dp_AB", vector(dp_)}};
     }
     if (op == "group") return group();
+    if (op == "wall_time") return wall_time();
+    if (op == "drag_time") return drag_time();
+    if (op == "rough_impulse") return rough_impulse();
     throw NotOffered{};
   }
 
@@ -110,10 +97,19 @@ class Request {
     return list;
   }
 
+  /// In the plane a spin is one number, about the third axis.
+  Vec3 read_spin(const char* key) {
+    return in_.at(key).is_array() ? read_vector(in_, key) : Vec3{0, 0, number(key)};
+  }
+  Json spin(const double (&x)[3]) const { return dimension_ == 2 ? hex(x[2]) : vector({x[0], x[1], x[2]}); }
+
   template <typename Function>
   Json time(Function function) {
     tps_time answer{};
     call(function, &read_pair(in_), number("L"), &answer);
+    return time_json(answer);
+  }
+  static Json time_json(const tps_time& answer) {
     if (answer.verdict < TPS_STATIC || answer.verdict > TPS_TURNING)
       return {{"verdict", fmt::format("number {}", static_cast<int>(answer.verdict))}};
     return {{"verdict", std::string(name(static_cast<TimingVerdict>(answer.verdict)))},
@@ -130,6 +126,39 @@ class Request {
     constexpr std::array<const char*, 4> names{"before", "after", "equal", "none"};
     const auto n = static_cast<std::size_t>(answer);
     return {{"order", n < names.size() ? names[n] : "a number that stands for no order"}};
+  }
+
+  Json wall_time() {
+    tps_time answer{};
+    const Vec3 normal = read_vector(in_, "normal");
+    call(table_.wall_time, &read_pair(in_), number("L"), normal.data(), &answer);
+    return time_json(answer);
+  }
+
+  Json drag_time() const {
+    tps_time answer{};
+    call(table_.drag_time, number("gamma"), number("s"), &answer);
+    return {{"verdict", answer.occurs != 0 ? "reached" : "never"},
+            {"t", answer.occurs != 0 ? hex(answer.t) : Json()}};
+  }
+
+  Json rough_impulse() {
+    tps_rough_pair q{};
+    q.pair = read_pair(in_);
+    put(q.spin_A, read_spin("spin_A"));
+    put(q.spin_B, read_spin("spin_B"));
+    q.m_A = m_A(), q.m_B = m_B(), q.R_A = number("R_A"), q.R_B = number("R_B");
+    q.c = number("c"), q.mu = number("mu"), q.beta0 = number("beta0");
+    tps_contact contact{};
+    double spin_A[3]{}, spin_B[3]{};
+    call(table_.rough_impulse, &q, &contact, dp_.data(), new_A_.data(), new_B_.data(), &spin_A[0],
+         &spin_B[0]);
+    return {{"kind", contact == TPS_SLIDES ? "slides" : "sticks"},
+            {"dp", vector(dp_)},
+            {"v_A", vector(new_A_)},
+            {"v_B", vector(new_B_)},
+            {"spin_A", spin(spin_A)},
+            {"spin_B", spin(spin_B)}};
   }
 
   Json apply_impulse() {
@@ -180,28 +209,9 @@ class Request {
   Vec3 dp_{}, new_A_{}, new_B_{};
 };
 
-/// The operations with a function in the table.
-Json offered(const tps_implementation& table) {
-  Json names = Json::array();
-  const auto add = [&](const char* op, bool is_there) {
-    if (is_there) names.push_back(op);
-  };
-  add("block_time", table.block_time != nullptr);
-  add("tether_time", table.tether_time != nullptr);
-  add("order", table.order != nullptr);
-  add("apply_impulse", table.apply_impulse != nullptr);
-  add("collision_impulse", table.collision_impulse != nullptr);
-  add("revolution_impulse", table.revolution_impulse != nullptr);
-  add("tether_response", table.tether_response != nullptr);
-  add("load", table.load != nullptr);
-  add("restitution_impulse", table.restitution_impulse != nullptr);
-  add("group", table.group != nullptr);
-  return names;
-}
-
 Json reply_to(const tps_implementation& table, const Json& request) {
   if (request.contains("hello"))
-    return {{"name", table.name}, {"bits", table.bits}, {"ops", offered(table)}, {"group", "inner"}};
+    return {{"name", table.name}, {"bits", table.bits}, {"ops", operations_in(table)}, {"group", "inner"}};
   Json reply{{"seq", request.value("seq", Json())}};
   try {
     reply["out"] = Request(table, request.at("in")).answer(request.at("op").get<std::string>());
@@ -262,7 +272,7 @@ int serve_library(const std::string& path) {
   Streams streams;
   std::string line;
   try {
-    const tps_implementation& table = load_table(path);
+    const tps_implementation table = library_table(path);
     while (streams.read(line)) streams.write(reply_to_line(table, line));
     return 0;
   } catch (const std::runtime_error& error) {

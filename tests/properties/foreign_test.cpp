@@ -128,6 +128,16 @@ TEST_F(Foreign, ARightLibraryPasses) {
   EXPECT_EQ(right.exit_code, 0) << right.text;
   expect_text(right, "(5) law 6              holds");
   expect_text(right, "order law 1            not offered");
+  expect_text(right, "rough law 7            holds");
+}
+
+TEST_F(Foreign, ALibraryOfVersion1HasNoEffects) {
+  const Process old = properties(
+      "--cases 20 --law 'Eq4Laws.*' --law 'WallLaws.*' --law 'RoughLaws.*' --library " TPS_OLD_EXAMPLE);
+  EXPECT_EQ(old.exit_code, 0) << old.text;
+  expect_text(old, "(4) law 1              holds");
+  expect_text(old, "wall law 1             not offered");
+  expect_text(old, "rough law 1            not offered");
 }
 
 TEST_F(Foreign, ABrokenLibraryIsFound) {

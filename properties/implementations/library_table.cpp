@@ -1,0 +1,52 @@
+#include "properties/implementations/library_table.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstring>
+#include <stdexcept>
+
+namespace tps::properties {
+
+tps_implementation library_table(const std::string& path) {
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw std::runtime_error(fmt::format("cannot be loaded: {}", ::dlerror()));
+  using Getter = const tps_implementation* (*)();
+  const auto get = reinterpret_cast<Getter>(::dlsym(library, "tps_get_implementation"));
+  if (get == nullptr) throw std::runtime_error("has no function tps_get_implementation()");
+  const tps_implementation* table = get();
+  if (table == nullptr) throw std::runtime_error("tps_get_implementation() returned a null pointer");
+  if (table->version < 1 || table->version > TPS_IMPLEMENTATION_VERSION) {
+    throw std::runtime_error(fmt::format("has a table of version {}; this program knows versions 1 to {}",
+                                         table->version, TPS_IMPLEMENTATION_VERSION));
+  }
+  if (table->name == nullptr) throw std::runtime_error("has a table without a name");
+  tps_implementation known{};
+  const std::size_t size = table->version == 1 ? offsetof(tps_implementation, wall_time) : sizeof known;
+  std::memcpy(&known, table, size);
+  return known;
+}
+
+std::vector<std::string> operations_in(const tps_implementation& table) {
+  std::vector<std::string> names;
+  const auto add = [&](const char* op, bool is_there) {
+    if (is_there) names.emplace_back(op);
+  };
+  add("block_time", table.block_time != nullptr);
+  add("tether_time", table.tether_time != nullptr);
+  add("order", table.order != nullptr);
+  add("apply_impulse", table.apply_impulse != nullptr);
+  add("collision_impulse", table.collision_impulse != nullptr);
+  add("revolution_impulse", table.revolution_impulse != nullptr);
+  add("tether_response", table.tether_response != nullptr);
+  add("load", table.load != nullptr);
+  add("restitution_impulse", table.restitution_impulse != nullptr);
+  add("group", table.group != nullptr);
+  add("wall_time", table.wall_time != nullptr);
+  add("drag_time", table.drag_time != nullptr);
+  add("rough_impulse", table.rough_impulse != nullptr);
+  return names;
+}
+
+}  // namespace tps::properties
