@@ -1,9 +1,10 @@
-// The engine's loop alone, in double and in space, for called_for.py: SCENE EVENTS. What callgrind counts is
-// engine_loop(); printed are the bytes that the run holds when the loop begins, and events a second.
-#include <chrono>
+// The engine's loop alone, in double and in space, for called_for.py: SCENE
+// EVENTS. What callgrind counts is engine_loop(); printed are the bytes that
+// the run holds when the loop begins, and events a second of processor time.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -11,8 +12,9 @@
 #include "reference/engine/simulation.hpp"
 #include "reference/scene/read_scene.hpp"
 
-// Memory at multiples of 64 bytes from lists by size: what an allocation costs, and what a copy costs by its
-// alignment, depends on nothing that was allocated before the loop.
+// Memory at multiples of 64 bytes from lists by size: what an allocation costs,
+// and what a copy costs by its alignment, depends on nothing that was allocated
+// before the loop.
 namespace {
 
 constexpr std::size_t kUnit = 64, kSizes = 1024, kBlock = std::size_t{1} << 20;
@@ -100,11 +102,10 @@ int run(const tps::Scene& scene, long events) {
   Simulation simulation(scene);
   const std::size_t bytes = held - before;
   warm_up(simulation);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const long done = engine_loop(simulation, events);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::printf("%ld events, %zu bytes, %.0f events/s\n", done, bytes,
-              static_cast<double>(done) / seconds.count());
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  std::printf("%ld events, %zu bytes, %.0f events/s\n", done, bytes, static_cast<double>(done) / seconds);
   return 0;
 }
 
