@@ -13,7 +13,7 @@ const std::vector<RunLaw>& run_laws() {
     std::vector<RunLaw> all;
     for (const auto& subject :
          {response_laws, flight_laws, tether_laws, group_laws, symmetry_laws, continuation_laws, orbit_laws,
-          contact_laws, effect_laws, wall_laws, box_laws}) {
+          contact_laws, effect_laws, wall_laws, box_laws, box_outside_laws}) {
       const std::vector<RunLaw> more = subject();
       all.insert(all.end(), more.begin(), more.end());
     }

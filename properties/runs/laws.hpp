@@ -78,6 +78,7 @@ std::vector<RunLaw> continuation_laws();
 std::vector<RunLaw> orbit_laws();
 std::vector<RunLaw> contact_laws();
 std::vector<RunLaw> effect_laws();
+std::vector<RunLaw> box_outside_laws();
 std::vector<RunLaw> wall_laws();
 std::vector<RunLaw> box_laws();
 

@@ -5,16 +5,10 @@
 #include <limits>
 
 #include "properties/runs/laws.hpp"
-#include "properties/runs/scene_bounds.hpp"
+#include "properties/runs/wall_judge.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-double largest_radius(const Scene& scene) {
-  double radius = 0;
-  for (const Species& species : scene.species) radius = std::max(radius, species.radius);
-  return radius;
-}
 
 /// A box around everybody, wider than the particles by a multiple of their radius, and a post in its highest
 /// corner.
@@ -58,19 +52,6 @@ Real least_gap(const Scene& scene, const Point& u, Real radius) {
   return gap;
 }
 
-/// Landing errs by 16 u of coordinates and limits, flight by 64 u of its way, which in the box is below its
-/// size (docs/engine.md).
-Real slack(const Scene& scene, Real u) {
-  const Wall& box = scene.walls[0];
-  const Real size = (point_of(box.high) - point_of(box.point)).norm();
-  const Real coordinates = point_of(box.high).norm() + point_of(box.point).norm();
-  return 80 * u * kSpare * (size + coordinates);
-}
-
-Real radius_of(const Scene& scene, const Replay& replay, int i) {
-  return replay.stored(scene.species[at(scene.particles[at(i)].species)].radius);
-}
-
 /// A particle's flight up to t: at both ends, and where it is nearest to the post.
 std::optional<std::string> leaves_walls(const Scene& scene, const Replay& before, const Instant& t, Real u) {
   for (int i = 0; i < before.size(); ++i) {
@@ -82,7 +63,7 @@ std::optional<std::string> leaves_walls(const Scene& scene, const Replay& before
       times[1] = std::clamp(-r.dot(f.velocity) / vv, Real(0), std::max(Real(0), dt));
     for (const Real part : times) {
       const Real gap = least_gap(scene, f.position + f.velocity * part, radius_of(scene, before, i));
-      if (gap < -slack(scene, u))
+      if (gap < -slack_between_walls(scene, u))
         return "particle " + std::to_string(before.id_of(i)) + " is behind a wall by " + std::to_string(-gap);
     }
   }
@@ -94,7 +75,7 @@ std::optional<std::string> leaves_walls(const Scene& scene, const Replay& before
 std::optional<std::string> rebounds_wrongly(const Scene& scene, const Replay& before,
                                             const TracedEvent& event, Real u) {
   const int i = before.index_of(*event.i);
-  const TracedState &pre = event.pre.at(*event.i), &post = event.post.at(*event.i);
+  const TracedState& pre = event.pre.at(*event.i);
   const Wall& wall = scene.walls.at(event.wall.value());
   Point n;
   Real gap = 0, turn = 2 * u;
@@ -108,18 +89,7 @@ std::optional<std::string> rebounds_wrongly(const Scene& scene, const Replay& be
     gap = r.norm() - Real(wall.radius) - radius_of(scene, before, i);
     turn += 4 * u * (pre.position.norm() + point_of(wall.point).norm()) / r.norm();
   }
-  const Real speed = pre.velocity.norm(), v_n = n.dot(pre.velocity);
-  const Real rounding = (32 * u + turn) * kSpare * speed;
-  if (auto fault = beyond("distance from the wall's limit", std::abs(gap), slack(scene, u))) return fault;
-  if (auto fault = beyond("velocity away from the wall before it", v_n, rounding)) return fault;
-  if (auto fault = beyond("velocity into the wall after it", -n.dot(post.velocity), rounding)) return fault;
-  const Point expected = pre.velocity - (1 + Real(wall.c_rebound)) * std::min(v_n, Real(0)) * n;
-  if (auto fault = beyond("velocity after the wall, against eq. (4),", (post.velocity - expected).norm(),
-                          2 * rounding))
-    return fault;
-  const Point given = before.mass(i) * (post.velocity - pre.velocity);
-  return beyond("impulse of the wall, against what it did,", (event.dp.value() - given).norm(),
-                before.mass(i) * 2 * rounding);
+  return rebounds_wrongly_at(scene, before, event, n, gap, turn, u);
 }
 
 RunVerdict stays_within(const Scene& scene, Simulator& simulator) {

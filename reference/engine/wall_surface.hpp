@@ -10,6 +10,7 @@
 #include "reference/engine/response.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/equations/directed_rounding.hpp"
+#include "reference/equations/first_touch.hpp"
 #include "reference/scene/surfaces.hpp"
 
 namespace tps {
@@ -26,6 +27,10 @@ class WallSurface {
         normal_(lifted<Scalar, D>(surface.normal)),
         velocity_(lifted<Scalar, D>(surface.velocity)),
         c_rebound_(Scalar(surface.c_rebound)) {
+    if (surface.region) {
+      low_ = lifted<Scalar, D>(surface.region->low);
+      high_ = lifted<Scalar, D>(surface.region->high);
+    }
     for (const Species& species : scene.species)
       distances_.push_back(Scalar(touching_distance(surface, species.radius)));
   }
@@ -43,16 +48,13 @@ class WallSurface {
     return particle_name(world.scene, i) + " and " + surface_name(surface_);
   }
 
-  Vec place(const Time<Scalar>& t) const {
-    if (velocity_ == Vec::Zero() || t == Time<Scalar>{}) return point_;
-    return point_ + velocity_ * elapsed(Time<Scalar>{}, t);
-  }
+  Vec place(const Time<Scalar>& t) const { return moved(point_, t); }
 
   /// The positions whose difference is the axis now, from the particle A to the wall B: along a plane's
   /// normal wherever on it the particle is.
   std::pair<Vec, Vec> axis(const World<Scalar, D>& world, int i) const {
     if (is_plane()) return {normal_, Vec(Vec::Zero())};
-    return {world.position(i, world.now), place(world.now)};
+    return {measured(world.position(i, world.now)), measured(place(world.now))};
   }
 
   /// Whether a particle moves away from the limit, exactly on the stored numbers: then there is nothing to
@@ -69,7 +71,7 @@ class WallSurface {
     if (!is_finite<Scalar, D>(Vec(p.position - place(p.clock))))
       throw OutOfRange("the distance of " + with(world, i));
     const std::optional<Scalar> dt = is_plane() ? to_plane(world, i) : to_sphere(world, i);
-    if (!dt) return std::nullopt;
+    if (!dt || (surface_.region && !is_nearest(p, distance(world, i)))) return std::nullopt;
     if (!(*dt >= Scalar(0))) throw OutOfRange("the time of " + with(world, i));
     return after(p.clock, *dt);
   }
@@ -85,7 +87,9 @@ class WallSurface {
   Scalar beyond(const World<Scalar, D>& world, int i, const Time<Scalar>& t) const {
     const Vec u = world.position(i, t);
     const Vec at = place(t);
-    const Scalar distance_now = is_plane() ? Scalar(normal_.dot(u - at)) : norm<Scalar, D>(u - at);
+    if (surface_.region && !faces(u, t)) return Scalar(0);
+    const Scalar distance_now =
+        is_plane() ? Scalar(normal_.dot(u - at)) : norm<Scalar, D>(measured(u) - measured(at));
     const Scalar inside = (distance(world, i) - distance_now) / coordinate_ulp<Scalar, D>(u, at);
     return is_inside() ? Scalar(-inside) : inside;
   }
@@ -105,9 +109,61 @@ class WallSurface {
   }
 
  private:
+  using Side = BoxRegion::Side;
+
+  Vec moved(const Vec& x, const Time<Scalar>& t) const {
+    if (velocity_ == Vec::Zero() || t == Time<Scalar>{}) return x;
+    return x + velocity_ * elapsed(Time<Scalar>{}, t);
+  }
+
+  /// The components along which the distance from a part of a box is measured; else all.
+  Vec measured(Vec x) const {
+    for (int k = 0; surface_.region && k < D; ++k) {
+      if (!surface_.region->measures(static_cast<std::size_t>(k))) x[k] = Scalar(0);
+    }
+    return x;
+  }
+
+  /// Whether a particle is where this part of the box is the nearest when it touches it, exactly on the
+  /// stored numbers: on the border between two parts both are. REQUIRES that it touches it.
+  bool is_nearest(const ParticleState<Scalar, D>& p, const Scalar& L) const {
+    const BoxRegion& region = *surface_.region;
+    const FirstTouch<Scalar, D> touch(place(p.clock), p.position, velocity_, p.velocity, L,
+                                      {region.measures(0), region.measures(1), region.measures(2)});
+    const Vec low = moved(low_, p.clock), high = moved(high_, p.clock);
+    for (int k = 0; k < D; ++k) {
+      const Side side = region.sides[static_cast<std::size_t>(k)];
+      if (side == Side::below ? touch.side(k, low[k]) > 0
+                              : side == Side::between && touch.side(k, low[k]) < 0)
+        return false;
+      if (side == Side::above ? touch.side(k, high[k]) < 0
+                              : side == Side::between && touch.side(k, high[k]) > 0)
+        return false;
+    }
+    return true;
+  }
+
+  /// Whether a place is before this part of the box, or behind a face of it inside of the box.
+  bool faces(const Vec& u, const Time<Scalar>& t) const {
+    const Vec low = moved(low_, t), high = moved(high_, t);
+    for (int k = 0; k < D; ++k) {
+      const Side side = surface_.region->sides[static_cast<std::size_t>(k)];
+      const Scalar& most = side == Side::below && !is_plane() ? low[k] : high[k];
+      const Scalar& least = side == Side::above && !is_plane() ? high[k] : low[k];
+      if ((side != Side::above && u[k] > most) || (side != Side::below && u[k] < least)) return false;
+    }
+    return true;
+  }
+
   PairView<Scalar, D> view(const World<Scalar, D>& world, int i) const {
     const ParticleState<Scalar, D>& p = world.particles[world.index(i)];
-    return {i, i, p.clock, p.position, place(p.clock), p.velocity, velocity_};
+    return {i,
+            i,
+            p.clock,
+            measured(p.position),
+            measured(place(p.clock)),
+            measured(p.velocity),
+            measured(velocity_)};
   }
 
   TimingQuery query(const World<Scalar, D>& world, int i) const {
@@ -150,6 +206,7 @@ class WallSurface {
 
   Surface surface_;
   Vec point_, normal_, velocity_;
+  Vec low_ = Vec::Zero(), high_ = Vec::Zero();  ///< the ends of a box, of its outside
   Scalar c_rebound_;
   std::vector<Scalar> distances_;  ///< by species
 };

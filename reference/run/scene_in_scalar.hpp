@@ -163,6 +163,10 @@ class SceneInScalar {
       if (!is_finite(Scalar(surface.point[k])))
         add(at, "is at " + told(surface.point[k]) + ", which is infinite" + remedy());
     }
+    for (std::size_t k = 0; surface.region && k < D; ++k) {
+      if (!(Scalar(surface.region->low[k]) < Scalar(surface.region->high[k])))
+        add(at, "has its ends along axis " + std::to_string(k) + " at one place" + remedy());
+    }
     for (const Species& species : scene_.species) {
       const double L = touching_distance(surface, species.radius);
       if (is_finite(species.mass) && (Scalar(L) == Scalar(0) || !is_finite(Scalar(L))))

@@ -82,7 +82,17 @@ void check_distances(const Scene& scene, SceneSource& source) {
   }
 }
 
+/// The point of a box that is nearest to a particle; itself, where it is inside.
+Coordinates nearest_of(const BoxRegion& box, const Coordinates& u) {
+  Coordinates nearest{};
+  for (std::size_t k = 0; k < u.size(); ++k) nearest[k] = std::clamp(u[k], box.low[k], box.high[k]);
+  return nearest;
+}
+
 bool starts_inside_of(const Surface& surface, const Particle& particle, double L) {
+  if (surface.region)
+    return start_verdict(nearest_of(*surface.region, particle.position), particle.position, L) ==
+           StartVerdict::nearer;
   if (surface.kind != Surface::Kind::plane) {
     const bool inside = surface.kind == Surface::Kind::inside;
     return start_verdict(surface.point, particle.position, L) ==
@@ -119,17 +129,22 @@ void check_walls(const Scene& scene, SceneSource& source) {
 
 void check_starts_at_walls(const Scene& scene, SceneSource& source) {
   for (const Surface& surface : surfaces(scene)) {
+    if (surface.region && *surface.face > 0) continue;  // the box as a whole, once
     for (std::size_t n = 0; n < scene.particles.size(); ++n) {
       const Particle& particle = scene.particles[n];
       const Species& species = scene.species[static_cast<std::size_t>(particle.species)];
       const double L = touching_distance(surface, species.radius);
       if (std::isinf(species.mass) || !(L > 0) || !starts_inside_of(surface, particle, L)) continue;
+      const Coordinates from =
+          surface.region ? nearest_of(*surface.region, particle.position) : surface.point;
       source.report(
           fmt::format("/particles/{}/position", source.particle_entries[n]),
           fmt::format("particle {} starts beyond {}, which blocks it at {}, by more than 4 ulp of the "
                       "largest coordinate ({}); move it",
-                      particle.id, surface_name(surface), write_shortest(L),
-                      write_shortest(start_allowance(surface.point, particle.position))));
+                      particle.id,
+                      surface.region ? fmt::format("wall {}, a box it is outside of", surface.wall)
+                                     : surface_name(surface),
+                      write_shortest(L), write_shortest(start_allowance(from, particle.position))));
       if (source.full()) return;
     }
   }

@@ -28,6 +28,8 @@ Wall read_wall(const JsonValue& entry, const std::string& pointer, const ReadVec
     wall.shape = Wall::Shape::box;
     wall.point = vector(*box, "box", "low");
     wall.high = vector(*box, "box", "high");
+    const JsonValue* side = box->find("side");
+    wall.inside = side == nullptr || *side->string() == "inside";
   }
   wall.c_rebound = number_at(entry, "c_rebound");
   if (const JsonValue* velocity = entry.find("velocity"))

@@ -15,6 +15,55 @@ void add_faces(const Scene& scene, std::size_t n, std::vector<Surface>& all) {
   }
 }
 
+using Side = BoxRegion::Side;
+
+/// Adds the parts that are nearest where the given axes lie beyond the ends of the box, low before high.
+void add_parts(const Scene& scene, std::size_t n, const std::vector<std::size_t>& axes, int& face,
+               std::vector<Surface>& all) {
+  const Wall& wall = scene.walls[n];
+  for (unsigned ends = 0; ends < 1U << axes.size(); ++ends) {
+    BoxRegion region{{Side::between, Side::between, Side::between}, wall.point, wall.high};
+    Surface part{Surface::Kind::outside, n, face++, wall.point, {}, 0, wall.c_rebound, wall.velocity};
+    for (std::size_t m = 0; m < axes.size(); ++m) {
+      const std::size_t k = axes[m];
+      const bool is_high = (ends >> (axes.size() - 1 - m) & 1U) != 0;
+      region.sides[k] = is_high ? Side::above : Side::below;
+      part.point[k] = is_high ? wall.high[k] : wall.point[k];
+      if (axes.size() > 1) continue;
+      part.kind = Surface::Kind::plane;
+      part.normal[k] = is_high ? 1 : -1;
+    }
+    part.region = region;
+    all.push_back(part);
+  }
+}
+
+/// Faces, edges, corners.
+void add_outside(const Scene& scene, std::size_t n, std::vector<Surface>& all) {
+  const auto dimension = static_cast<std::size_t>(scene.dimension);
+  int face = 0;
+  for (std::size_t a = 0; a < dimension; ++a) add_parts(scene, n, {a}, face, all);
+  for (std::size_t a = 0; a < dimension; ++a) {
+    for (std::size_t b = a + 1; b < dimension; ++b) add_parts(scene, n, {a, b}, face, all);
+  }
+  if (dimension == 3) add_parts(scene, n, {0, 1, 2}, face, all);
+}
+
+/// "edge 6 (low x, high y)"; in the plane, where a box has no ends along z, two axes make a corner.
+std::string part_name(const Surface& surface) {
+  const BoxRegion& region = *surface.region;
+  std::string ends;
+  int axes = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!region.measures(k)) continue;
+    ends += (axes++ == 0 ? "" : ", ") + std::string(region.sides[k] == Side::below ? "low " : "high ") +
+            std::string(1, "xyz"[k]);
+  }
+  const bool is_planar = !(region.low[2] < region.high[2]);
+  const char* what = axes == 1 ? "face " : axes == 2 && !is_planar ? "edge " : "corner ";
+  return what + std::to_string(*surface.face) + " (" + ends + ")";
+}
+
 }  // namespace
 
 std::vector<Surface> surfaces(const Scene& scene) {
@@ -37,7 +86,10 @@ std::vector<Surface> surfaces(const Scene& scene) {
                        wall.velocity});
         break;
       case Wall::Shape::box:
-        add_faces(scene, n, all);
+        if (wall.inside)
+          add_faces(scene, n, all);
+        else
+          add_outside(scene, n, all);
         break;
     }
   }
@@ -51,6 +103,7 @@ double touching_distance(const Surface& surface, double radius) {
 
 std::string surface_name(const Surface& surface) {
   std::string name = "wall " + std::to_string(surface.wall);
+  if (surface.region) return name + ", " + part_name(surface);
   if (surface.face) {
     name += ", face " + std::to_string(*surface.face) + (*surface.face % 2 == 0 ? " (low " : " (high ");
     name += std::string(1, "xyz"[*surface.face / 2]) + ")";

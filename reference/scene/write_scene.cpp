@@ -182,6 +182,11 @@ class Writer {
     if (phase.breaks) members.emplace_back("break", rule(*phase.breaks));
     return object(members);
   }
+  std::string box_of(const Wall& wall) const {
+    Members members{{"low", vector(wall.point)}, {"high", vector(wall.high)}};
+    if (!wall.inside) members.emplace_back("side", "\"outside\"");
+    return object(members);
+  }
   Members shape_of(const Wall& wall) const {
     const std::string point = vector(wall.point);
     switch (wall.shape) {
@@ -192,7 +197,7 @@ class Writer {
                                    {"radius", text(wall.radius)},
                                    {"side", wall.inside ? "\"inside\"" : "\"outside\""}})}};
       case Wall::Shape::box:
-        return {{"box", object({{"low", point}, {"high", vector(wall.high)}})}};
+        return {{"box", box_of(wall)}};
     }
     return {};
   }

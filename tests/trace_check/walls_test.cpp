@@ -22,8 +22,8 @@ using testing::first_finding;
 using testing::violated;
 using testing::with_event;
 
-/// Balls of two kinds in a box with an obstacle, a leaning plane and a hollow that moves; with gravity at
-/// times.
+/// Balls of two kinds in a box with a round obstacle and a block, a leaning plane and a hollow that moves;
+/// with gravity at times.
 Scene walled(unsigned seed) {
   Scene scene = testing::plain_scene(2 + static_cast<int>(seed % 2));
   scene.seed = seed;
@@ -52,7 +52,11 @@ Scene walled(unsigned seed) {
   Wall plane;
   plane.point = {0, 3.5, 0};
   plane.normal = {.6, -.8, 0};
-  scene.walls = {box, obstacle, plane, hollow};
+  Wall block = box;
+  block.inside = false;
+  block.point = {.3, 1.3, -.4};
+  block.high = {1.1, 1.6, .3};
+  scene.walls = {box, obstacle, plane, hollow, block};
   for (int n = 0; n < 3; ++n) {
     testing::add_particle(scene, 0, {-1.2 + 1.2 * n, -1.5, 0}, {.8, .3 - .2 * n, 0});
     testing::add_particle(scene, small, {-1.2 + 1.2 * n, .8 - .2 * n, 0}, {-.3, .9, seed % 2 == 1 ? .2 : 0});
@@ -147,6 +151,34 @@ TEST(CheckOfWalls, LiesAreTold) {
         };
         EXPECT_GT(of(check::Rule::impulse, straight_on), 0U) << where;
       }
+    }
+  }
+}
+
+// The events of a run without the block, under the header of one with it: nothing happens, and that is wrong.
+TEST(CheckOfWalls, WhoFliesThroughABlockIsTold) {
+  const std::pair<Coordinates, Coordinates> flights[] = {
+      {{-3, 1, 0}, {1, .01, 0}},     // a face
+      {{-3, -4.1, 0}, {.75, 1, 0}},  // a corner
+      {{-3, 2.4, 0}, {1, .02, 0}}};  // one, from beside a face
+  for (const auto& [position, velocity] : flights) {
+    for (const Timing timing : {Timing::stable, Timing::certified}) {
+      Scene free = testing::plain_scene();
+      free.duration = 20;
+      testing::add_particle(free, 0, position, velocity);
+      Scene blocked = free;
+      Wall block;
+      block.shape = Wall::Shape::box;
+      block.inside = false;
+      block.high = {4, 2, 0};
+      blocked.walls = {block};
+      const testing::TracedRun through = honest(free, "double", timing),
+                               right = honest(blocked, "double", timing);
+      EXPECT_EQ(right.events.size(), 1U);
+      EXPECT_TRUE(checked(right.bytes).conforming());
+      const std::string lie =
+          right.bytes.substr(0, right.bytes.find('\n')) + through.bytes.substr(through.bytes.find('\n'));
+      EXPECT_GT(violated(checked(lie), check::Rule::earliest), 0U) << position[1];
     }
   }
 }

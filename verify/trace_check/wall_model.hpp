@@ -15,6 +15,15 @@ struct WallModel {
   Number c_rebound;
   std::vector<Number> distances;  ///< L, by species
 
+  Vec<Number> low = {}, high = {};  ///< the ends of a box, of its outside
+
+  /// Along the axes on which the distance from a part of a box is measured; else all of it.
+  Vec<Number> measured(Vec<Number> x) const {
+    for (std::size_t k = 0; surface.region && k < 3; ++k) {
+      if (!surface.region->measures(k)) x[k] = Number(0);
+    }
+    return x;
+  }
   bool is_plane() const { return surface.kind == Surface::Kind::plane; }
   bool is_inside() const { return surface.kind == Surface::Kind::inside; }
 };
@@ -33,6 +42,10 @@ std::vector<WallModel<Number>> wall_models(const Scene& scene, const Precision<N
                      lifted(surface.velocity),
                      stored<Number>(surface.c_rebound, precision),
                      {}});
+    if (surface.region) {
+      walls.back().low = lifted(surface.region->low);
+      walls.back().high = lifted(surface.region->high);
+    }
     for (const Species& species : scene.species)
       walls.back().distances.push_back(stored<Number>(touching_distance(surface, species.radius), precision));
   }

@@ -1,5 +1,5 @@
-// Walls: planes, in- and outsides of spheres, insides of boxes. A particle that touches one rebounds by eq.
-// (4) with an infinite mass.
+// Walls: planes, in- and outsides of spheres and boxes. A particle that touches one rebounds by eq. (4) with
+// an infinite mass.
 //
 // Laws: (1) afterwards v_n' = −c v_n relative to the wall, exactly with the right sign (D25), and the rest of
 // the velocity is kept; (2) a wall needs no memory of who has responded; (3) without walls there is no state,

@@ -5,6 +5,7 @@
 
 #include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/earliest.hpp"
+#include "verify/trace_check/rules/wall_region.hpp"
 
 namespace tps::check {
 
@@ -13,12 +14,13 @@ template <typename Number>
 struct WallFlight {
   using W = Work<Number>;
   int i;
-  std::size_t n;            ///< of Model::walls
-  PairFlight<Number> pair;  ///< the particle and the wall
-  int sign;                 ///< of r·v, exactly: −1 approaching the centre, or the plane
-  LimitAsked<W> asked;      ///< of a sphere
-  Quadratic<W> q;           ///< of a sphere
-  W gap{0}, towards{0};     ///< of a plane: n·r − L and −n·v
+  std::size_t n;             ///< of Model::walls
+  PairFlight<Number> pair;   ///< the particle and the wall, along the axes that the distance is measured on
+  PairFlight<Number> whole;  ///< along all of them
+  int sign;                  ///< of r·v, exactly: −1 approaching the centre, or the plane
+  LimitAsked<W> asked;       ///< of a sphere
+  Quadratic<W> q;            ///< of a sphere
+  W gap{0}, towards{0};      ///< of a plane: n·r − L and −n·v
   W gap_error{0}, towards_error{0};
   bool is_plane;
 
@@ -43,12 +45,14 @@ WallFlight<Number> wall_flight(const Context<Number>& c, int i, std::size_t n) {
       wall.velocity == Vec<Number>{} ? wall.point : carried(of_wall, pair.start, model.precision, pair.blur);
   pair.v_i = flight.velocity;
   pair.v_j = wall.velocity;
+  const PairFlight<Number> whole = pair;
+  for (Vec<Number>* x : {&pair.u_i, &pair.u_j, &pair.v_i, &pair.v_j}) *x = wall.measured(*x);
   const W L(wall.distances[Model<Number>::at(model.scene.particles[Model<Number>::at(i)].species)]);
   const int sign = wall.is_plane()
                        ? detail::exact_sign<Number>(wall.normal, Vec<Number>{}, pair.v_i, pair.v_j)
                        : detail::exact_sign<Number>(pair.u_i, pair.u_j, pair.v_i, pair.v_j);
   const LimitAsked<W> asked{wall.is_inside(), L, wall.is_inside() && sign < 0};
-  WallFlight<Number> result{i, n, pair, sign, asked, {}, W(0), W(0), W(0), W(0), wall.is_plane()};
+  WallFlight<Number> result{i, n, pair, whole, sign, asked, {}, W(0), W(0), W(0), W(0), wall.is_plane()};
   const RelativeFlight<W> relative = pair.relative();
   result.q = quadratic_of(relative, L, c.u(), c.timing, c.scale());
   if (!wall.is_plane()) return result;
@@ -81,6 +85,19 @@ Due<Work<Number>> due(const WallFlight<Number>& flight) {
   const W ever = std::numeric_limits<W>::infinity();
   const W latest = most == W(0) ? W(0) : slow > W(0) ? W(most / slow) : ever;
   return {false, false, fast > W(0) ? W(least / fast) : W(0), latest};
+}
+
+/// Whether a particle is before this part of the wall when it is due there; of a box's outside alone it may
+/// not be. What rounding decides is nobody's fault.
+template <typename Number>
+Within faces_when_due(const Context<Number>& c, const WallFlight<Number>& flight) {
+  using W = Work<Number>;
+  const WallModel<Number>& wall = c.model.walls[flight.n];
+  if (!wall.surface.region) return Within::yes;
+  const Due<W> expected = due(flight);
+  if (expected.must_be_none || !(expected.latest < std::numeric_limits<W>::infinity()))
+    return expected.must_be_none ? Within::no : Within::rounding;
+  return in_region(c, wall, flight.whole, expected.earliest, expected.latest);
 }
 
 /// The question in doubles, for exact answers.
@@ -139,6 +156,7 @@ template <typename Number>
 Waiting waiting(const Context<Number>& c, const WallFlight<Number>& flight, const Work<Number>& dt,
                 const Turn<Number>* latest, const Happening<Number>& happening) {
   using W = Work<Number>;
+  if (faces_when_due(c, flight) != Within::yes) return Waiting::not_due;
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
       const auto turn = certified_turn(c, flight);
@@ -198,6 +216,7 @@ Asked judge_wall_flight(const Context<Number>& c, int i, std::size_t n, const In
     });
   }
   if (happening.until == Until::ever || told.said(Told::beyond, outer)) return result;
+  if (in_region(c, c.model.walls[n], flight.whole, W(0), dt) != Within::yes) return result;
   const W off = detail::beyond_wall(c, flight, dt, c.time_error(happening.t));
   if (!(off > W(6) * c.scale())) return result;
   result.bounds = c.tally.within(Rule::bounds, as_double(off), 6, [&](Finding& f) {

@@ -32,6 +32,9 @@ BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Numbe
   if (!p.position_before)
     b.blur += model.blur_of_place(event.i, event.t) + c.time_error(event.t) * length(b.v);
   b.r = centre - (p.position_before ? widened<W>(*p.position_before) : model.position(event.i, event.t));
+  for (std::size_t k = 0; wall.surface.region && k < 3; ++k) {
+    if (!wall.surface.region->measures(k)) b.r[k] = W(0);
+  }
   return b;
 }
 
@@ -44,6 +47,14 @@ void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event
   using W = Work<Number>;
   using std::abs;
   const W dt = elapsed(flight.pair.start, event.t);
+  const W early = std::max(W(0), W(dt - c.time_error(event.t))), late = dt + c.time_error(event.t);
+  if (c.model.walls[flight.n].surface.region) {
+    const Within here = in_region(c, c.model.walls[flight.n], flight.whole, early, late);
+    c.tally.demand(Rule::contact, here != Within::no, [&](Finding& f) {
+      f.particles = {c.model.id(flight.i)};
+      f.message = fmt::format("{} rebound where another part of the box is nearer", wall_name(c, flight));
+    });
+  }
   const auto describe = [&](Finding& f) {
     const Due<W> expected = due(flight);
     f.particles = {c.model.id(flight.i)};
@@ -109,7 +120,8 @@ void judge_direction_at_wall(const Context<Number>& c, const EventLine<Number>& 
   const int sign =
       wall.is_plane()
           ? detail::exact_sign<Number>(wall.normal, Vec<Number>{}, p.velocity_after, wall.velocity)
-          : detail::exact_sign<Number>(*p.position_before, centre, p.velocity_after, wall.velocity);
+          : detail::exact_sign<Number>(wall.measured(*p.position_before), wall.measured(centre),
+                                       p.velocity_after, wall.velocity);
   const bool leaves = wall.is_inside() ? sign < 0 || p.velocity_after == wall.velocity : sign >= 0;
   c.tally.demand(Rule::impulse, leaves, [&](Finding& f) {
     f.message = fmt::format("particle {} leaves {} the wrong way by the last bits of its velocity (D22, D25)",
