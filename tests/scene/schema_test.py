@@ -25,7 +25,7 @@ SEMANTIC = {
     "capacity", "containment_without_room", "distance_overflow", "distance_zero", "gap_too_small", "id_twice",
     "impulse_of_three", "impulse_on_a_wall", "impulse_on_infinite_mass", "infinite_masses_part", "drag_with_grouping", "friction_with_drag", "friction_without_meaning", "spin_of_two", "drag_with_a_moving_wall", "drag_without_meaning", "kicks_without_meaning", "pair_twice",
     "permanent_breaks", "phase_of_permanent", "phases_of_nothing", "phases_overlap", "start_outside_containment",
-    "start_too_far", "start_too_near", "starts_in_walls", "tether_of_infinite_masses", "tether_of_permanent", "tether_to_nobody",
+    "start_too_far", "start_too_near", "outside_of_a_box", "outside_of_a_box_values", "starts_in_walls", "tether_of_infinite_masses", "tether_of_permanent", "tether_to_nobody",
     "tethering_without_distance", "tethers_wrong", "unknown_species", "vector_length", "walls",
 }
 # Numbers in strings: a standard validator sees their pattern, not their value.
