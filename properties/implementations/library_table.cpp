@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 
@@ -17,6 +18,11 @@ tps_implementation library_table(const std::string& path) {
   if (get == nullptr) throw std::runtime_error("has no function tps_get_implementation()");
   const tps_implementation* table = get();
   if (table == nullptr) throw std::runtime_error("tps_get_implementation() returned a null pointer");
+  if (reinterpret_cast<std::uintptr_t>(table) % alignof(tps_implementation) != 0) {
+    throw std::runtime_error(fmt::format(
+        "tps_get_implementation() returned {}, where no table can be: its address is a multiple of {}",
+        fmt::ptr(table), alignof(tps_implementation)));
+  }
   if (table->version < 1 || table->version > TPS_IMPLEMENTATION_VERSION) {
     throw std::runtime_error(fmt::format("has a table of version {}; this program knows versions 1 to {}",
                                          table->version, TPS_IMPLEMENTATION_VERSION));

@@ -2,6 +2,8 @@
 // while (eqs. 6-7, effects/grouping.hpp).
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "reference/engine/range.hpp"
@@ -27,6 +29,19 @@ struct Collision {
   Scalar loss;                      ///< of energy, by eq. (4) or (5)
 };
 
+/// ½ Σ I ω².
+template <typename Scalar>
+struct SpinEnergies {
+  Scalar at_start, now;
+};
+
+/// Those that are not restituted yet.
+template <typename Scalar>
+struct LiveGroups {
+  std::uint64_t count = 0;
+  Scalar oldest{};  ///< since its first load
+};
+
 template <typename Scalar, int D>
 class Coupling {
  public:
@@ -41,8 +56,18 @@ class Coupling {
                        Record<Scalar, D>& record) = 0;
   /// The same of a rebound that is no collision of two particles.
   virtual void lose(World<Scalar, D>& world, const Scalar& loss) { world.ledger.lost += loss; }
-  /// What Δp has to be multiplied with to be a momentum of the scene now.
-  virtual Scalar impulse_unit(const World<Scalar, D>&) const { return Scalar(1); }
+  /// What velocities and impulses of the run have to be multiplied with to be the scene's at time t.
+  virtual Scalar velocity_unit(const Time<Scalar>& /*t*/) const { return Scalar(1); }
+
+  // For the summary of a run that ends at `end`, which is not before the last event:
+  /// The energy of the scene that collisions have cost, and what else has taken some between them.
+  virtual Scalar lost(const World<Scalar, D>& world) const { return world.ledger.lost.value(); }
+  virtual Scalar taken(const World<Scalar, D>&, const Time<Scalar>& /*end*/) const { return Scalar(0); }
+  /// Nothing where no particle keeps a spin.
+  virtual std::optional<SpinEnergies<Scalar>> spin_energies(const World<Scalar, D>&) const {
+    return std::nullopt;
+  }
+  virtual LiveGroups<Scalar> live_groups(const Time<Scalar>& /*end*/) const { return {}; }
   /// An impulse from outside on a particle, which acts on its whole body.
   virtual void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse,
                     Record<Scalar, D>& record) = 0;

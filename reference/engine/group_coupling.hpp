@@ -101,6 +101,15 @@ class GroupCoupling final : public Coupling<Scalar, D> {
     }
   }
 
+  LiveGroups<Scalar> live_groups(const Time<Scalar>& end) const override {
+    LiveGroups<Scalar> live;
+    for (const Body* body : forest_.bodies()) {
+      ++live.count;
+      live.oldest = std::max(live.oldest, elapsed(body->birth, end));
+    }
+    return live;
+  }
+
  private:
   /// |Δp_AB|²/2μ, what a load keeps for its restitution.
   static Scalar energy_kept(const Vec& dp, const Scalar& mu) {

@@ -55,6 +55,10 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
     return twice.value() / Scalar(2);
   }
 
+  std::optional<SpinEnergies<Scalar>> spin_energies(const World<Scalar, D>& world) const override {
+    return SpinEnergies<Scalar>{SpinCoupling(world.scene).energy(world), energy(world)};
+  }
+
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>& record) override {
     const auto& friction = friction_[place(world.species(c.i), world.species(c.j))];
     if (c.limit != Limit::inner || !friction) return FreeCoupling<Scalar, D>::collide(world, c, record);

@@ -63,13 +63,12 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
   s.lost = static_cast<double>(ledger.lost.value());
   s.work = static_cast<double>(ledger.work.value());
   s.energy_remainder = static_cast<double>(remainder);
-  if (const auto* turning = dynamic_cast<const SpinCoupling<Scalar, D>*>(world().coupling.get())) {
-    const Scalar at_start = SpinCoupling<Scalar, D>(scene_).energy(world());
-    const Scalar spin = turning->energy(world());
-    s.spin_at_start = static_cast<double>(at_start);
-    s.spin = static_cast<double>(spin);
-    s.energy_remainder = static_cast<double>(Scalar(remainder + (spin - at_start)));
-    const Scalar own = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * Scalar(spin + at_start);  // 8 u
+  if (const auto spin = world().coupling->spin_energies(world())) {
+    s.spin_at_start = static_cast<double>(spin->at_start);
+    s.spin = static_cast<double>(spin->now);
+    s.energy_remainder = static_cast<double>(Scalar(remainder + (spin->now - spin->at_start)));
+    const Scalar sum = spin->now + spin->at_start;
+    const Scalar own = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * sum;  // 8 u
     s.energy_bound = static_cast<double>(own);
   }
   const BoundOfSums<Scalar> sums = bound_of_sums(world(), kinetic);
@@ -81,16 +80,18 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
 /// those of docs/ledger.md, "With drag".
 template <typename Scalar, int D>
 void RecordedRun<Scalar, D>::summarise_drag(RunSummary& s, const Time<Scalar>& end) const {
-  const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get());
-  if (drag == nullptr) return;
-  const Scalar f = drag->factor(end);
+  if (!scene_.drag) return;
+  const Coupling<Scalar, D>& coupling = *world().coupling;
+  const Scalar f = coupling.velocity_unit(end);
+  const Scalar lost = coupling.lost(world());
+  const Scalar taken = coupling.taken(world(), end);
   const Scalar kinetic = kinetic_energy(world()) * f * f;
   const Scalar at_start = world().ledger.kinetic_at_start;
-  const Scalar remainder = (kinetic - at_start) + drag->lost() + drag->taken(world(), end);
+  const Scalar remainder = (kinetic - at_start) + lost + taken;
   const double f_end = static_cast<double>(f);
-  s.drag_taken = static_cast<double>(drag->taken(world(), end));
+  s.drag_taken = static_cast<double>(taken);
   s.kinetic = static_cast<double>(kinetic);
-  s.lost = static_cast<double>(drag->lost());
+  s.lost = static_cast<double>(lost);
   s.energy_remainder = static_cast<double>(remainder);
   const Scalar own = Scalar(16) * std::numeric_limits<Scalar>::epsilon() * at_start;  // 32 u
   s.energy_bound = f_end * f_end * s.energy_bound + static_cast<double>(own);
@@ -102,9 +103,7 @@ void RecordedRun<Scalar, D>::summarise_drag(RunSummary& s, const Time<Scalar>& e
 template <typename Scalar, int D>
 void RecordedRun<Scalar, D>::summarise_effects(RunSummary& s, const Time<Scalar>& end) const {
   Scalar work = world().ledger.work.value();
-  Scalar lost = world().ledger.lost.value();
-  if (const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get()))
-    lost = drag->lost();
+  Scalar lost = world().coupling->lost(world());
   std::set<std::string_view> called;
   for (const auto& effect : simulation_->effects()) {
     called.insert(effect->name());
@@ -127,17 +126,13 @@ void RecordedRun<Scalar, D>::summarise_effects(RunSummary& s, const Time<Scalar>
 
 template <typename Scalar, int D>
 void RecordedRun<Scalar, D>::summarise_groups(RunSummary& s, const Time<Scalar>& end) const {
-  const auto* groups = dynamic_cast<const GroupCoupling<Scalar, D>*>(world().coupling.get());
-  if (groups == nullptr) return;
+  if (!scene_.grouping) return;
   s.grouping = true;
   s.dt_restitute = scene_.grouping->dt_restitute;
   s.largest_group = world().statistics.largest_group;
-  Scalar oldest = world().statistics.oldest_group;
-  for (const GroupBody<Scalar, D>* body : groups->forest().bodies()) {
-    oldest = std::max(oldest, elapsed(body->birth, end));
-    ++s.live_groups;
-  }
-  s.oldest_group = static_cast<double>(oldest);
+  const LiveGroups<Scalar> live = world().coupling->live_groups(end);
+  s.live_groups = live.count;
+  s.oldest_group = static_cast<double>(std::max(world().statistics.oldest_group, live.oldest));
 }
 
 template <typename Scalar, int D>
@@ -148,8 +143,7 @@ std::vector<RunSummary::Final> RecordedRun<Scalar, D>::final_states(const Time<S
     text << x;
     return text.str();
   };
-  const auto* drag = dynamic_cast<const DragCoupling<Scalar, D>*>(world().coupling.get());
-  const Scalar unit = drag != nullptr ? drag->factor(end) : Scalar(1);
+  const Scalar unit = world().coupling->velocity_unit(end);
   std::vector<RunSummary::Final> states;
   for (int i = 0; i < world().size(); ++i) {
     const Vector<Scalar, D> position = world().position(i, end);

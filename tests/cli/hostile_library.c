@@ -77,6 +77,7 @@ const tps_implementation* tps_get_implementation(void) {
   table.collision_impulse = collision_impulse;
   if (is("wild_function")) memset(&table.collision_impulse, 0x10, sizeof table.collision_impulse);
   if (is("no_table")) return NULL;
-  if (is("wild_table")) return (const tps_implementation*)1;
+  if (is("wild_table")) return (const tps_implementation*)16;
+  if (is("odd_table")) return (const tps_implementation*)1;
   return &table;
 }

@@ -87,6 +87,7 @@ LIBRARIES = {
     "constructor_prints": (1, r"BROKEN"),
     "no_table": (4, r"returned a null pointer|has no name"),
     "wild_table": (4, r"crashed: signal"),
+    "odd_table": (4, r"returned 0x1, where no table can be"),
     "other_version": (4, r"version"),
     "no_name": (4, r"without a name|has no name"),
     "no_bits": (4, r"allowed are integers from 8 to 400"),

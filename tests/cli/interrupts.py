@@ -162,7 +162,7 @@ def main():
         # The second one ends at once what the first one would end in good order.
         for words in ("run long -q -o made", "check long_trace -q", "properties --quiet --minutes 5"):
             marked = processes.Marked([tps, *words.split()], cwd=folder)
-            processes.wait_until(lambda: marked.cpu_seconds() > 0.02, "it computes")
+            processes.wait_until(lambda: marked.listens() and marked.cpu_seconds() > 0.02, "it computes")
             marked.process.send_signal(signal.SIGTERM)
             marked.process.send_signal(signal.SIGINT)
             code, _, _ = marked.end()

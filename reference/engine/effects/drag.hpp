@@ -30,16 +30,14 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
     note(world, loss);
     world.ledger.lost += loss;
   }
-  Scalar impulse_unit(const World<Scalar, D>& world) const override { return factor(world.now); }
-
   /// 1 − γ s = e^{−γt}, at most 3u off.
-  Scalar factor(const Time<Scalar>& s) const {
+  Scalar velocity_unit(const Time<Scalar>& s) const override {
     return std::max(Scalar(Scalar(1) - gamma_ * s.hi) - gamma_ * s.lo, Scalar(0));
   }
   /// Kinetic energy of the scene that collisions have cost, Σ (1 − γs)² times that of the run.
-  Scalar lost() const { return lost_.value(); }
+  Scalar lost(const World<Scalar, D>&) const override { return lost_.value(); }
   /// What drag has taken from the start until `end`, which is not before the last collision.
-  Scalar taken(const World<Scalar, D>& world, const Time<Scalar>& end) const {
+  Scalar taken(const World<Scalar, D>& world, const Time<Scalar>& end) const override {
     return taken_.value() + energy_taken(world, end);
   }
 
@@ -63,7 +61,7 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
   void note(const World<Scalar, D>& world, const Scalar& loss) {
     taken_ += energy_taken(world, world.now);
     since_ = world.now;
-    const Scalar f = factor(world.now);
+    const Scalar f = velocity_unit(world.now);
     lost_ += loss * f * f;
   }
 
@@ -71,7 +69,7 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
   /// drag takes K (f² − f'²) = K γ Δs (f + f').
   Scalar energy_taken(const World<Scalar, D>& world, const Time<Scalar>& end) const {
     const Scalar kinetic = world.ledger.kinetic_at_start - world.ledger.lost.value();
-    return kinetic * (gamma_ * elapsed(since_, end)) * Scalar(factor(since_) + factor(end));
+    return kinetic * (gamma_ * elapsed(since_, end)) * Scalar(velocity_unit(since_) + velocity_unit(end));
   }
 
   Scalar gamma_;

@@ -91,7 +91,8 @@ class Tethering final : public Effect<Scalar, D> {
         record.draw = world.draw(Purpose::tether_break, c.i, c.j);
         return *record.draw < law.breaks.probability;
       case BreakRule::When::impulse_above:
-        return norm<Scalar, D>(c.dp) * world.coupling->impulse_unit(world) > Scalar(law.breaks.threshold);
+        return norm<Scalar, D>(c.dp) * world.coupling->velocity_unit(world.now) >
+               Scalar(law.breaks.threshold);
     }
     return false;
   }

@@ -98,7 +98,7 @@ class WallRebounds final : public Effect<Scalar, D> {
     const Scalar c = met.c_rebound();
     const Scalar loss = world.mass(i) / Scalar(2) * (Scalar(1) - c * c) * frame.v_n * frame.v_n;
     world.coupling->lose(world, loss);
-    const Scalar unit = world.coupling->impulse_unit(world);  // speeds of the run to those of the scene
+    const Scalar unit = world.coupling->velocity_unit(world.now);  // speeds of the run to those of the scene
     this->add_energy(1, loss * unit * unit);
     return dp;
   }
