@@ -7,13 +7,13 @@
 
 namespace tps::check {
 
-/// Whether this collision joins two bodies: in a grouped scene, where it has an impulse. For a vanishing v_n
-/// the trace decides.
+/// Whether this event is a collision that joins two bodies: in a grouped scene, where it has an impulse. For
+/// a vanishing v_n the trace decides.
 template <typename Number>
 bool is_load(const Context<Number>& c, const EventLine<Number>& event,
              const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
-  if (!c.model.scene.grouping || event.kind == Kind::broken) return false;
+  if (!c.model.scene.grouping || !row(event.kind).responds) return false;
   if (!c.minimal) return !event.members.empty();
   if (largest(expected.response.dp) > W(4) * expected.response.error) return true;
   // A minimal trace says it by velocities: one for both, where there were two.
