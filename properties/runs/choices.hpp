@@ -1,4 +1,5 @@
-// Choices inside rc::gen::exec that shrink: towards the first of a list, towards "no", towards zero.
+// Choices inside rc::gen::exec that shrink: towards the first of a list, towards "no", towards zero. Each
+// expression makes one: the order of two is the compiler's, and the scene of a number must not be.
 #pragma once
 
 #include <rapidcheck.h>

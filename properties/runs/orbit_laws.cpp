@@ -13,7 +13,8 @@ Scene orbit(int dimension) {
   scene.dimension = dimension != 0 ? dimension : pick({2, 3});
   scene.duration = std::numeric_limits<double>::infinity();
   const double R = pick({1.0, 0.1, 7.0});
-  const double speed = *rc::gen::inRange(1, 5) * pick({1.0, 0.3});
+  const int steps = *rc::gen::inRange(1, 5);
+  const double speed = steps * pick({1.0, 0.3});
   for (const char* name : {"a", "b"}) {
     const double mass = pick({1.0, 0.01, 3.0, 1e9});
     scene.species.push_back({name, mass, R / 4, {}});

@@ -20,7 +20,8 @@ using Choice = Wanted::Choice;
 double mass_of_species() {
   const int decades = pick({0, 0, 0, 3, 12});
   if (decades == 0) return *rc::gen::inRange(1, 4);
-  return *rc::gen::inRange(1, 10) * std::pow(10.0, around_zero(decades));
+  const int digit = *rc::gen::inRange(1, 10);
+  return digit * std::pow(10.0, around_zero(decades));
 }
 
 /// Distances in units of the lattice's spacing. Neighbours start 1 apart, give or take what `shift` allows.
@@ -111,8 +112,8 @@ class Assembly {
       for (int y = 0; y < box_[1]; ++y) {
         for (int x = 0; x < box_[0]; ++x) {
           const bool rests = one_moves && !sites_.empty();
-          add_particle(*rc::gen::inRange(0, finite_species_), {x, y, z}, limits_.shifted,
-                       rests ? Coordinates{} : velocity());
+          const Coordinates v = rests ? Coordinates{} : velocity();
+          add_particle(*rc::gen::inRange(0, finite_species_), {x, y, z}, limits_.shifted, v);
         }
       }
     }

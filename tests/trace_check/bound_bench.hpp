@@ -49,7 +49,8 @@ class Bench {
     const Vector<double, 3> v = along * axis + conditions.across_per_along * speed * w;
     // Each body takes its part of the motion by the other's mass, so that the lighter one moves.
     const double share = law_.mass_j / (law_.mass_i + law_.mass_j);
-    const Vector<double, 3> common = conditions.speed_of_frame * speed * uniform(0, 1) * direction() *
+    const Vector<double, 3> way = direction();
+    const Vector<double, 3> common = conditions.speed_of_frame * speed * uniform(0, 1) * way *
                                      (conditions.speed_of_frame == 1 ? std::min(share, 1 - share) : 1);
     given.v_i = common - share * v;
     given.v_j = common + (1 - share) * v;
@@ -138,7 +139,9 @@ class Bench {
 
   Vector<double, 3> direction() {
     std::normal_distribution<double> normal;
-    return Vector<double, 3>(normal(random_), normal(random_), normal(random_)).normalized();
+    const double z = normal(random_), y = normal(random_),
+                 x = normal(random_);  // in the same order everywhere
+    return Vector<double, 3>(x, y, z).normalized();
   }
 
   void masses(Given& given) {

@@ -25,7 +25,8 @@ class SmallIntegers {
     Scene scene = testing::plain_scene(dimension);
     scene.duration = pick({20., 1000., 1e5});
     scene.species[0].radius = 1;
-    testing::add_species(scene, "heavy", pick({1., 5., 1000.}), pick({1., 2.}));
+    const double heavy_radius = pick({1., 2.});
+    testing::add_species(scene, "heavy", pick({1., 5., 1000.}), heavy_radius);
     testing::add_species(scene, "wall", std::numeric_limits<double>::infinity(), pick({1., 3.}));
     const double c = pick({0., 0., .5, 1., 1e-9, 1e-17});
     for (int a = 0; a < 3; ++a) {
@@ -36,7 +37,10 @@ class SmallIntegers {
     if (pick({0, 0, 0, 1}) == 1) scene.grouping = Grouping{pick({.01, .1, 1.})};
     const Coordinates drift = {pick({0., 0., 0., 1., .1}), pick({0., 0., 1.}), 0};
     for (int n = pick({0, 1, 1, 2}); n > 0; --n) place(scene, 2, drift);
-    for (int n = pick({1, 2, 3, 4}); n > 0; --n) place(scene, pick({0, 0, 1}), velocity(scene));
+    for (int n = pick({1, 2, 3, 4}); n > 0; --n) {
+      const Coordinates v = velocity(scene);
+      place(scene, pick({0, 0, 1}), v);
+    }
     return scene;
   }
 

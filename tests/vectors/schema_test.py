@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The first lines of every known-answer file fit the schema; with a key too many, or one too few, they do not."""
-import glob, itertools, json, os, sys
+"""The first lines of every known-answer file fit the schema; with a key too many, or one too few, they do not. What is said to be exact in
+single precision is."""
+import glob, itertools, json, os, struct, sys
 
 import jsonschema
 
@@ -19,5 +20,24 @@ for name in sorted(glob.glob(os.path.join(root, "data/vectors/*.jsonl"))):
             if any(line_of_vectors.is_valid(wrong) for wrong in spoiled):
                 sys.exit(f"{name}: the schema accepts a line with a wrong set of keys")
             judged += 1
-print(f"{judged} lines")
+
+
+def numbers(value):
+    """Those of an input, finite ones."""
+    if isinstance(value, (dict, list)):
+        return [x for each in (value.values() if isinstance(value, dict) else value) for x in numbers(each)]
+    return [float.fromhex(value)] if isinstance(value, str) and "0x" in value else []
+
+
+in_float = 0
+for name in glob.glob(os.path.join(root, "data/vectors/*.float32.jsonl")):
+    with open(name, encoding="utf-8") as lines:
+        for line in lines:
+            for x in numbers(json.loads(line).get("in")):
+                in_float += 1
+                if struct.unpack("f", struct.pack("f", x))[0] != x:
+                    sys.exit(f"{name}: {x.hex()} is no float: {line}")
+print(f"{judged} lines, {in_float} floats")
+if in_float < 1000:
+    sys.exit("too few floats")
 sys.exit(0 if judged > 400 else "too few lines")
