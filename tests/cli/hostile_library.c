@@ -71,7 +71,7 @@ __attribute__((constructor)) static void construct(void) {
 }
 
 const tps_implementation* tps_get_implementation(void) {
-  table.version = is("other_version") ? 2 : TPS_IMPLEMENTATION_VERSION;
+  table.version = is("other_version") ? TPS_IMPLEMENTATION_VERSION + 1 : TPS_IMPLEMENTATION_VERSION;
   table.name = is("no_name") ? NULL : "hostile";
   table.bits = is("no_bits") ? 0 : 53;
   table.collision_impulse = collision_impulse;

@@ -32,7 +32,7 @@ double nearest_float(double x) {
   return static_cast<double>(rounded);
 }
 
-// g++ 12 left the rounding out where two stand side by side (docs/decisions.md, N78).
+// g++ 12 left the rounding out where two stand side by side (docs/decisions.md, N77).
 TEST(Compiler, RoundsNeighboursToFloat) {
   const Pair pair = as_floats({given(.1), given(.3)});
   EXPECT_EQ(pair.first, nearest_float(.1));
