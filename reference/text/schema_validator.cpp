@@ -243,7 +243,7 @@ Schema::Schema(std::string_view text, const std::string& name) : document_(parse
 }
 
 void Schema::validate(const JsonValue& value, InputProblems& problems, std::string_view prefix) const {
-  Validation(problems).value(value, {&document_.root, &document_.root}, JsonPath(prefix));
+  Validation(problems).value(value, SchemaView(&document_.root, &document_.root), JsonPath(prefix));
 }
 
 const Schema& embedded_schema(std::string_view name) {

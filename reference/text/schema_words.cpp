@@ -11,6 +11,12 @@
 namespace tps {
 namespace {
 
+/// What the `$ref` of a schema names; null without one.
+const JsonValue* target_of(const JsonValue& root, const JsonValue& schema) {
+  const JsonValue* reference = schema.find("$ref");
+  return reference == nullptr ? nullptr : &resolve_pointer(root, reference->string()->substr(1));
+}
+
 std::string joined(const std::vector<std::string>& parts, std::string_view last_joint) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -91,12 +97,13 @@ std::vector<std::string> allowed_parts(const SchemaView& schema) {
 
 }  // namespace
 
+SchemaView::SchemaView(const JsonValue* root_in, const JsonValue* schema_in)
+    : root(root_in), schema(schema_in), target(target_of(*root_in, *schema_in)) {}
+
 const JsonValue* SchemaView::find(std::string_view keyword) const {
-  const JsonValue* at = schema;
-  while (at != nullptr) {
+  if (const JsonValue* value = schema->find(keyword)) return value;
+  for (const JsonValue* at = target; at != nullptr; at = target_of(*root, *at)) {
     if (const JsonValue* value = at->find(keyword)) return value;
-    const JsonValue* reference = at->find("$ref");
-    at = reference == nullptr ? nullptr : &resolve_pointer(*root, reference->string()->substr(1));
   }
   return nullptr;
 }

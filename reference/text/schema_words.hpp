@@ -11,8 +11,12 @@ namespace tps {
 
 /// A schema as its readers see it: a keyword is looked up in the schema, then in the target of its `$ref`.
 struct SchemaView {
-  const JsonValue* root = nullptr;    ///< the whole schema file
-  const JsonValue* schema = nullptr;  ///< the schema at hand
+  /// `root_in` is the whole schema file, `schema_in` the schema at hand.
+  SchemaView(const JsonValue* root_in, const JsonValue* schema_in);
+
+  const JsonValue* root;
+  const JsonValue* schema;
+  const JsonValue* target;  ///< of its `$ref`; null without one
 
   /// The value of a keyword; null if absent.
   const JsonValue* find(std::string_view keyword) const;

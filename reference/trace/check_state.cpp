@@ -43,11 +43,18 @@ class StateCheck {
     if (!holds && problems_.size() < kMostStateProblems) problems_.push_back({pointer, message});
   }
 
+  /// The same of one of very many places: pointer and message are put into words where something is wrong.
+  template <typename Problem>
+  void demand(bool holds, Problem problem) {
+    if (!holds && problems_.size() < kMostStateProblems) problems_.push_back(problem());
+  }
+
   /// The place of a particle in the scene; nothing, and a problem, for an id that it does not have.
   std::optional<int> index(std::int32_t id, const std::string& pointer) {
     const auto found = index_of_.find(id);
-    demand(found != index_of_.end(), pointer,
-           fmt::format("names particle {}, which the scene does not have", id));
+    demand(found != index_of_.end(), [&] {
+      return StateProblem{pointer, fmt::format("names particle {}, which the scene does not have", id)};
+    });
     return found == index_of_.end() ? std::nullopt : std::optional(found->second);
   }
   const Species& species(int i) const {
@@ -63,6 +70,9 @@ class StateCheck {
     return found == laws_.end() ? nullptr : found->second;
   }
 
+  bool is_time(const HexTime& time) const {
+    return is_normal_time(time, digits_) && is_not_after(time, state_.now);
+  }
   void check_time(const HexTime& time, const std::string& pointer) {
     demand(is_normal_time(time, digits_), pointer,
            "is no time: hi is finite, not negative, and the nearest number to hi + lo");
@@ -86,22 +96,32 @@ class StateCheck {
                        scene_.particles.size()));
     for (std::size_t n = 0; n < state_.particles.size(); ++n) {
       const StateData::Particle& p = state_.particles[n];
-      const std::string pointer = fmt::format("/particles/{}", n);
-      if (!index(p.id, pointer + "/id")) continue;
-      demand(particles_.emplace(p.id, &p).second, pointer + "/id",
-             fmt::format("particle {} stands twice", p.id));
-      check_dimension(p.position, pointer + "/position");
-      check_dimension(p.velocity, pointer + "/velocity");
-      check_time(p.clock, pointer + "/clock");
+      const auto at = [n](const char* key) { return fmt::format("/particles/{}{}", n, key); };
+      const auto found = index_of_.find(p.id);
+      if (found == index_of_.end()) {
+        index(p.id, at("/id"));
+        continue;
+      }
+      demand(particles_.emplace(p.id, &p).second, [&] {
+        return StateProblem{at("/id"), fmt::format("particle {} stands twice", p.id)};
+      });
+      if (!has_dimension(p.position)) check_dimension(p.position, at("/position"));
+      if (!has_dimension(p.velocity)) check_dimension(p.velocity, at("/velocity"));
+      if (!is_time(p.clock)) check_time(p.clock, at("/clock"));
       const bool turns =
-          keeps_spin(scene_, scene_.particles[static_cast<std::size_t>(index_of_.at(p.id))].species);
+          keeps_spin(scene_, scene_.particles[static_cast<std::size_t>(found->second)].species);
       const std::size_t spin = turns ? (scene_.dimension == 2 ? 1U : 3U) : 0U;
-      demand(p.spin.size() == spin, pointer + "/spin",
-             fmt::format("has {} components; {} are needed", p.spin.size(), spin));
+      demand(p.spin.size() == spin, [&] {
+        return StateProblem{at("/spin"),
+                            fmt::format("has {} components; {} are needed", p.spin.size(), spin)};
+      });
     }
   }
+  bool has_dimension(const HexVector& x) const {
+    return x.size() == static_cast<std::size_t>(scene_.dimension);
+  }
   void check_dimension(const HexVector& x, const std::string& pointer) {
-    demand(x.size() == static_cast<std::size_t>(scene_.dimension), pointer,
+    demand(has_dimension(x), pointer,
            fmt::format("has {} components in {} dimensions", x.size(), scene_.dimension));
   }
 

@@ -21,8 +21,19 @@ double uniform(Random& random, double low, double high) {
 struct Line {
   Coordinates position, velocity;
   double duration;
-  StraightLine straight() const { return {position.data(), velocity.data(), duration}; }
+  StraightLine straight() const {
+    double size = 0, speed = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      size += std::fabs(position[k]);
+      speed += std::fabs(velocity[k]);
+    }
+    return {position.data(), velocity.data(), duration, size, speed};
+  }
 };
+
+bool is_clear(const StraightLine& a, const StraightLine& b, const LimitsInDoubles& limits, double clock) {
+  return FirstLook(a, clock, 0x1p-40).is_clear(b, limits);
+}
 
 /// Squared distance of two particles, `before` the end of their lines, in long double: products of two stay
 /// far inside of its range.
@@ -91,8 +102,8 @@ TEST(IsClear, IsNeverWrongAtAnyMagnitude) {
     if (std::abs(length - speed) > 1000) continue;
     const Passing p = passing(random, length, speed);
     const long double L2 = static_cast<long double>(p.L) * p.L;
-    const bool blocked = is_clear(p.a.straight(), p.b.straight(), {p.L, -1}, 0, 0x1p-40);
-    const bool held = is_clear(p.a.straight(), p.b.straight(), {-1, p.L}, 0, 0x1p-40);
+    const bool blocked = is_clear(p.a.straight(), p.b.straight(), {p.L, -1}, 0);
+    const bool held = is_clear(p.a.straight(), p.b.straight(), {-1, p.L}, 0);
     const long double near = nearest(p.a, p.b);
     EXPECT_TRUE(!blocked || near > L2) << length << ' ' << speed;
     const long double together = std::min(p.a.duration, p.b.duration);
@@ -113,8 +124,30 @@ TEST(IsClear, IsNeverWrongAtAnyMagnitude) {
 TEST(IsClear, AllowsForTheClock) {
   const Line a{{0, 0, 0}, {1e4, 0, 0}, 1};
   const Line b{{1e4 + 1, 0, 0}, {0, 0, 0}, 1};
-  EXPECT_TRUE(is_clear(a.straight(), b.straight(), {.5, -1}, 0, 0x1p-40));
-  EXPECT_FALSE(is_clear(a.straight(), b.straight(), {.5, -1}, 1e-4, 0x1p-40));
+  EXPECT_TRUE(is_clear(a.straight(), b.straight(), {.5, -1}, 0));
+  EXPECT_FALSE(is_clear(a.straight(), b.straight(), {.5, -1}, 1e-4));
+}
+
+// In a periodic box every image is meant: of pairs that are said to be clear no image came within the limit.
+TEST(IsClear, IsNeverWrongInAPeriodicBox) {
+  Random random(12);
+  constexpr double kEdge = 5;
+  const std::array<double, 3> edges = {kEdge, kEdge * 1.25, 0};
+  int clear = 0;
+  for (int n = 0; n < 4'000; ++n) {
+    Passing p = passing(random, 0, 0);
+    for (std::size_t k = 0; k < 2; ++k) p.b.position[k] += edges[k] * std::floor(uniform(random, -20, 20));
+    if (!FirstLook(p.a.straight(), 0, 0x1p-40, edges.data()).is_clear(p.b.straight(), {p.L, -1})) continue;
+    ++clear;
+    const Coordinates there = p.b.position;
+    for (int x = -22; x <= 22; ++x) {
+      for (int y = -22; y <= 22; ++y) {
+        p.b.position = {there[0] + x * edges[0], there[1] + y * edges[1], there[2]};
+        ASSERT_GT(nearest(p.a, p.b), static_cast<long double>(p.L * p.L)) << n << ' ' << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_GT(clear, 400);
 }
 
 TEST(IsClear, SaysNothingAboutWhatIsNoNumber) {
@@ -125,7 +158,7 @@ TEST(IsClear, SaysNothingAboutWhatIsNoNumber) {
       const Line b{{5, 0, 0}, {0, 0, 0}, 1};
       (place == 0 ? a.position[1] : place == 1 ? a.velocity[1] : a.duration) = x;
       if (place == 2 && x < 0) continue;  // before the flight: nobody is asked
-      EXPECT_FALSE(is_clear(a.straight(), b.straight(), {1, 10}, 0, 0x1p-40)) << x << ' ' << place;
+      EXPECT_FALSE(is_clear(a.straight(), b.straight(), {1, 10}, 0)) << x << ' ' << place;
     }
   }
 }

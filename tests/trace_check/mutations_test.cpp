@@ -20,7 +20,7 @@ std::string file_of(const std::string& name, const std::string& scalar = "double
 
 std::vector<std::string> short_scenes() {
   std::vector<std::string> names = scene_names();
-  std::erase_if(names, [](const std::string& name) { return scene_named(name).stands_still; });
+  std::erase_if(names, stands_still);
   return names;
 }
 

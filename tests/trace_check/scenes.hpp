@@ -20,6 +20,8 @@ struct NamedScene {
 /// The shipped scenes and those made for the check, by name.
 std::vector<std::string> scene_names();
 NamedScene scene_named(const std::string& name);
+/// What NamedScene says, without reading the scene.
+bool stands_still(const std::string& name);
 
 /// A gas of few particles for long runs.
 Scene long_gas();

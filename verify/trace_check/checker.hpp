@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
+#include "verify/trace_check/agenda.hpp"
 #include "verify/trace_check/below_rounding.hpp"
 #include "verify/trace_check/neighbours.hpp"
 #include "verify/trace_check/paths.hpp"
@@ -53,9 +55,15 @@ class Checker {
   void take_turn(const EventLine<Number>& event);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
 
+  void make_agendas(const TraceFacts& facts);
   Told told_of(int i, int j) const;
   void note_told(int i, int j, const Told& told);
+  std::optional<FirstLook> first_look(int i, const Instant<Number>& until,
+                                      const Happening<Number>& happening) const;
+  double longer(const Instant<double>& until) const;
+  bool is_clear(const FirstLook& look, int i, int j, const Instant<double>& until) const;
   void judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
+  void ask(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_at_walls(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_with_everybody(int i, const Instant<Number>& until, const Happening<Number>& happening);
@@ -84,7 +92,10 @@ class Checker {
   Turns<Number> turns_;
   const Context<Number> context_;
   Neighbours neighbours_;
-  std::vector<std::vector<int>> permanent_;  ///< partners by a permanent tether, by particle
+  std::vector<std::vector<int>> permanent_;     ///< partners by a permanent tether, by particle
+  std::vector<std::optional<Agenda>> agendas_;  ///< of particles with very many of these, by particle
+  std::vector<int> with_agenda_;
+  std::array<double, 3> edges_{};  ///< of a periodic box; 0 along an open axis
   StepNumber step_ = 0;
   std::vector<StepNumber> changed_at_;  ///< the step in which a particle began its flight; walls: none
   StepNumber phase_at_ = 0;             ///< the step of the last one

@@ -88,7 +88,7 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
   if (reading(event.t, model_.precision) != reading(model_.now, model_.precision)) {
     model_.progress_event = model_.events - 1;
   }
-  ++model_.kinds[std::string(name(event.kind))];
+  ++model_.kinds[static_cast<std::size_t>(event.kind)];
   if (event.draw) {
     const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
     ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
@@ -129,6 +129,7 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     if (model_.fixed(i)) continue;
     changed_at_[Model<Number>::at(i)] = step_;
     told_[Model<Number>::at(i)].clear();
+    for (const int whose : with_agenda_) agendas_[Model<Number>::at(whose)]->begins_flight(i);
     place(i, event.t);
   }
 }

@@ -23,11 +23,13 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
                facts.own_draws},
       neighbours_(facts.scene, as_double(precision.u)),
       permanent_(facts.scene.particles.size()),
+      agendas_(facts.scene.particles.size()),
       changed_at_(facts.scene.particles.size(), 0),
       looks_(facts.scene.particles.size(), 0),
       told_(facts.scene.particles.size()) {
   const Scene& scene = facts.scene;
   model_.eager = facts.eager;
+  for (std::size_t k = 0; model_.edges && k < 3; ++k) edges_[k] = as_double((*model_.edges)[k]);
   std::vector<std::vector<int>> of_species(scene.species.size());
   for (int n = 0; n < model_.size(); ++n) {
     of_species[static_cast<std::size_t>(scene.particles[static_cast<std::size_t>(n)].species)].push_back(n);
@@ -40,6 +42,22 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
       }
     }
     place(i, {});
+  }
+  make_agendas(facts);
+}
+
+/// For those who never begin another flight and have so many partners that an event should not ask them all.
+template <typename Number>
+void Checker<Number>::make_agendas(const TraceFacts& facts) {
+  constexpr std::size_t kMany = 64;
+  if (minimal_ || facts.eager || model_.edges) return;
+  for (int i = 0; i < model_.size(); ++i) {
+    const std::vector<int>& partners = permanent_[Model<Number>::at(i)];
+    if (model_.fixed(i) && partners.size() >= kMany)
+      agendas_[Model<Number>::at(i)].emplace(partners, agendas_.size());
+  }
+  for (int i = 0; i < model_.size(); ++i) {
+    if (agendas_[Model<Number>::at(i)]) with_agenda_.push_back(i);
   }
 }
 
@@ -128,19 +146,20 @@ void Checker<Number>::take_turn(const EventLine<Number>& event) {
 /// everybody.
 template <typename Number>
 std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const {
-  std::set<int> all;
-  for (const InvolvedParticle<Number>& p : event.involved) all.insert(p.particle);
+  std::vector<int> all;
+  for (const InvolvedParticle<Number>& p : event.involved) all.push_back(p.particle);
   if (event.kind == Kind::restitute) {
-    if (const Body<Number>* body = model_.groups.with_root(event.i, event.j)) {
-      all.insert(body->members.begin(), body->members.end());
-    }
+    if (const Body<Number>* body = model_.groups.with_root(event.i, event.j))
+      all.insert(all.end(), body->members.begin(), body->members.end());
   }
   if (event.kind == Kind::gravity) {
     for (int i = 0; i < model_.size(); ++i) {
-      if (!model_.fixed(i)) all.insert(i);
+      if (!model_.fixed(i)) all.push_back(i);
     }
   }
-  return {all.begin(), all.end()};
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
 }
 
 template <typename Number>

@@ -1,11 +1,10 @@
-// A first look at a pair in plain doubles: whether it stayed clear of both of its limits by far more than
-// they can err (docs/check.md, "Range of the filters").
+// A first look at pairs in plain doubles: whether they stayed clear of their limits by far more than they can
+// err (docs/check.md, "Range of the filters").
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "verify/trace_check/number.hpp"
 
 namespace tps::check {
 
@@ -14,6 +13,8 @@ struct StraightLine {
   const double* position;  ///< where the line begins, three numbers
   const double* velocity;
   double duration;  ///< of the line so far
+  double size;      ///< Σ |x_k|; not a number: the place is uncertain, so that nobody is clear of it
+  double speed;     ///< Σ |v_k|
 };
 
 /// What limits a pair has, in doubles; absent ones are negative.
@@ -21,38 +22,73 @@ struct LimitsInDoubles {
   double inner = -1, outer = -1;
 };
 
-/// Whether two particles, while both flew, kept more than `share` of the squares of the lengths concerned
-/// away from their limits. `clock` is how much each duration may be off beyond its own rounding. False says
-/// nothing.
-///
-/// Law: true implies that in real arithmetic, too, the pair is inside of its outer and outside of its inner
-/// limit all the time, by half of that share, whatever the inputs. REQUIRES share ≥ 2^-40.
-inline bool is_clear(const StraightLine& a, const StraightLine& b, const LimitsInDoubles& limits,
-                     double clock, double share) {
-  const double together = std::min(a.duration, b.duration);
-  double rr = 0, rd = 0, dd = 0, size = 0, speed = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double way_a = a.velocity[k] * a.duration;
-    const double way_b = b.velocity[k] * b.duration;
-    const double r = (b.position[k] + way_b) - (a.position[k] + way_a);
-    const double d = (b.velocity[k] - a.velocity[k]) * together;
-    rr += r * r;
-    rd += r * d;
-    dd += d * d;
-    size += (std::fabs(a.position[k]) + std::fabs(b.position[k])) + (std::fabs(way_a) + std::fabs(way_b));
-    speed += std::fabs(a.velocity[k]) + std::fabs(b.velocity[k]);
+/// One particle at a moment, beside others.
+class FirstLook {
+ public:
+  /// `clock` is how much each duration may be off beyond its own rounding; `edges` are those of a periodic
+  /// box, 0 along an open axis, or null. REQUIRES share ≥ 2^-40.
+  FirstLook(const StraightLine& line, double clock, double share, const double* edges = nullptr)
+      : a_(line), blur_of_speed_(0x1p42 * clock), share_(share) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      place_[k] = a_.position[k] + a_.velocity[k] * a_.duration;
+      edges_[k] = edges == nullptr ? 0 : edges[k];
+      if (edges_[k] > 0) half_box_ = std::min(half_box_, 0.49 * edges_[k]);
+    }
+    size_ = a_.size + a_.speed * std::fabs(a_.duration) + blur_of_speed_ * a_.speed;
   }
-  size += 0x1p42 * clock * speed;
-  constexpr double kLargest = 0x1p200;
-  constexpr double kLongest = 0x1p500;
-  // Written so that what is no number is out of range.
-  if (!(size < kLargest && size > 1 / kLargest && a.duration < kLongest && b.duration < kLongest))
-    return false;
-  const double before = rr - (2 * rd - dd);  // squared distance when the flight began
-  const double nearest = rd > 0 && rd < dd ? rr - rd * (rd / dd) : std::min(rr, before);
-  const auto error = [&](double L) { return share * (size * size + L * L); };
-  if (limits.inner >= 0 && !(nearest - limits.inner * limits.inner > error(limits.inner))) return false;
-  return !(limits.outer >= 0) || std::max(rr, before) - limits.outer * limits.outer < -error(limits.outer);
-}
+
+  /// Whether two particles, while both flew, kept more than `share` of the squares of the lengths concerned
+  /// away from their limits; in a periodic box every image from an inner limit. False says nothing.
+  ///
+  /// Law: true implies that in real arithmetic, too, the pair is inside of its outer and outside of its inner
+  /// limit all the time, by half of that share, whatever the inputs.
+  bool is_clear(const StraightLine& b, const LimitsInDoubles& limits) const {
+    const double together = std::min(a_.duration, b.duration);
+    std::array<double, 3> r, d;
+    for (std::size_t k = 0; k < 3; ++k) {
+      r[k] = (b.position[k] + b.velocity[k] * b.duration) - place_[k];
+      d[k] = (b.velocity[k] - a_.velocity[k]) * together;
+    }
+    const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double size = size_ + (b.size + b.speed * std::fabs(b.duration) + blur_of_speed_ * b.speed);
+    constexpr double kLargest = 0x1p200;
+    constexpr double kLongest = 0x1p500;
+    // Written so that what is no number is out of range.
+    if (!(size < kLargest && size > 1 / kLargest && a_.duration < kLongest && b.duration < kLongest))
+      return false;
+    if (half_box_ < HUGE_VAL && !is_of_one_image(r, dd, limits, size)) return false;
+    const double rr = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    const double L = limits.inner;
+    const double inner_error = share_ * (size * size + L * L);
+    // |r|² > 2(L² + |d|² + e) leaves (|r| − |d|)² > L² + e: most pairs are as far as that.
+    if (limits.outer < 0 && (L < 0 || rr > 2 * (L * L + dd + inner_error))) return true;
+    const double rd = r[0] * d[0] + r[1] * d[1] + r[2] * d[2];
+    const double before = rr - (2 * rd - dd);  // squared distance when the flight began
+    const double nearest = rd > 0 && rd < dd ? rr - rd * (rd / dd) : std::min(rr, before);
+    if (L >= 0 && !(nearest - L * L > inner_error)) return false;
+    if (!(limits.outer >= 0)) return true;
+    const double outer_error = share_ * (size * size + limits.outer * limits.outer);
+    return std::max(rr, before) - limits.outer * limits.outer < -outer_error;
+  }
+
+ private:
+  /// Takes r to the nearest image. Whether the others stayed clear of it: one of their coordinates is half an
+  /// edge at least, and so far they did not fly. A tether is of one image, which is not looked for here.
+  bool is_of_one_image(std::array<double, 3>& r, double dd, const LimitsInDoubles& limits,
+                       double size) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (edges_[k] > 0 && std::fabs(r[k]) > edges_[k] / 2)
+        r[k] -= edges_[k] * std::floor(r[k] / edges_[k] + 0.5);
+    }
+    const double room = half_box_ - std::max(0.0, limits.inner);
+    return limits.outer < 0 && room > 0 && dd < room * room && size < 0x1p40 * half_box_;
+  }
+
+  StraightLine a_;
+  double blur_of_speed_, share_;
+  std::array<double, 3> place_, edges_;
+  double half_box_ = HUGE_VAL;  ///< a little less than half the shortest edge
+  double size_;
+};
 
 }  // namespace tps::check

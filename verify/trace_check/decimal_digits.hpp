@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tps::check {
 
@@ -24,26 +25,22 @@ class DecimalDigits {
 
   void add(Kind kind, double x) {
     constexpr std::uint64_t kLowBits = 0xffff;
-    Seen& seen = seen_[kind];
-    if ((std::bit_cast<std::uint64_t>(x) & kLowBits) == 0 || !(x - x == 0) || seen.count >= kAtMost) return;
-    ++seen.count;
-    const std::string text = fmt::format("{}", x);
-    const std::string_view mantissa = std::string_view(text).substr(0, text.find('e'));
-    const std::size_t first = mantissa.find_first_of("123456789");
-    const auto digits = std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
-                                      [](char c) { return c >= '0' && c <= '9'; });
-    ++seen.of_length[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(digits, 1, 31))];
+    std::vector<double>& seen = seen_[kind];
+    if ((std::bit_cast<std::uint64_t>(x) & kLowBits) == 0 || !(x - x == 0) || seen.size() >= kAtMost) return;
+    seen.push_back(x);
   }
 
   /// What to do about it, where nine numbers in ten of a kind, and eight of them, have few digits.
   std::optional<std::string> advice() const {
     static constexpr std::array<std::string_view, 3> kNames = {"times", "velocities", "positions"};
     for (const std::size_t kind : {times, positions, velocities}) {
-      const Seen& seen = seen_[kind];
-      if (seen.count < kEnough) continue;
-      std::uint64_t few = 0;
+      const std::vector<double>& seen = seen_[kind];
+      if (seen.size() < kEnough) continue;
+      std::array<std::size_t, 32> of_length{};
+      for (const double x : seen) ++of_length[digits_of(x)];
+      std::size_t few = 0;
       std::size_t digits = 0;
-      while (digits < seen.of_length.size() && few * 10 < seen.count * 9) few += seen.of_length[digits++];
+      while (digits < of_length.size() && few * 10 < seen.size() * 9) few += of_length[digits++];
       if (digits - 1 > kFew) continue;
       return fmt::format(
           "the {} look like decimals of {} digits, which is not enough for a double: write hexadecimal "
@@ -54,13 +51,22 @@ class DecimalDigits {
   }
 
  private:
-  static constexpr std::uint64_t kEnough = 8, kAtMost = 10'000;
+  static constexpr std::size_t kEnough = 8, kAtMost = 10'000;
   static constexpr std::size_t kFew = 14;
-  struct Seen {
-    std::uint64_t count = 0;
-    std::array<std::uint64_t, 32> of_length{};
-  };
-  std::array<Seen, 3> seen_;
+
+  static std::size_t digits_of(double x) {
+    std::array<char, 40> buffer;
+    const char* const end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::scientific).ptr;
+    const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+    const std::string_view mantissa = text.substr(0, text.find('e'));
+    const std::size_t first = mantissa.find_first_of("123456789");
+    const auto digits = std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                      [](char c) { return c >= '0' && c <= '9'; });
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(digits, 1, 31));
+  }
+
+  std::array<std::vector<double>, 3> seen_;
 };
 
 }  // namespace tps::check

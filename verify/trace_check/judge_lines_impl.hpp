@@ -47,8 +47,8 @@ class LineJudge {
       tally_.not_judged(Rule::end, "that the step after the last event leaves the range is taken as given");
     if (!facts_.own_draws && has_draws_)
       tally_.not_judged(Rule::tethers, "the draws are taken as given, only their use is judged");
-    const auto advice = digits_.advice();
-    if (advice && report_.violated() > 0) report_.notes.push_back(*advice);
+    if (report_.violated() == 0) return;
+    if (const auto advice = digits_.advice()) report_.notes.push_back(*advice);
   }
 
  private:

@@ -52,6 +52,7 @@ class LineValues {
       : scene_(scene), minimal_(minimal), digits_(digits) {
     for (std::size_t n = 0; n < scene.particles.size(); ++n) {
       index_of_.emplace(scene.particles[n].id, static_cast<int>(n));
+      ids_.push_back(scene.particles[n].id);
     }
   }
 
@@ -79,9 +80,28 @@ class LineValues {
     return *result;
   }
 
+  /// The finite number of the trace's scalar that a text spells, if it is one.
+  bool number_if_any(std::string_view hex, Number& number) const {
+    const std::optional<Number> result = number_of<Number>(hex);
+    if (!result || !fits(hex, *result) || !(*result - *result == Number(0))) return false;
+    number = *result;
+    return true;
+  }
+  /// The time that a text spells on the clock that the lines of a scene without drag have.
+  bool instant_if_any(std::string_view hex, Instant<Number>& t) const {
+    if (has_drag()) return false;
+    const std::optional<Instant<Number>> result = instant_of<Number>(hex, scene_.start_time);
+    if (!result || !(result->hi - result->hi == Number(0))) return false;
+    t = *result;
+    return true;
+  }
+
+  bool fits(double value) const {
+    return digits_ >= 53 || static_cast<double>(static_cast<float>(value)) == value;
+  }
   bool fits(std::string_view hex, const Number& value) const {
     if constexpr (std::is_same_v<Number, double>) {
-      return digits_ >= 53 || static_cast<double>(static_cast<float>(value)) == value;
+      return fits(value);
     } else {
       const std::optional<HexDigits> digits = split_hex(hex);  // none in "inf"
       return !digits || significant_bits(*digits) <= digits_;
@@ -147,11 +167,21 @@ class LineValues {
   }
 
   int particle(std::int64_t id, const Pointer& at) const {
-    const auto found =
-        id < 0 || id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
-    if (found == index_of_.end())
+    int index = -1;
+    if (id < 0 || !particle_if_any(static_cast<std::uint64_t>(id), index))
       problem(at, fmt::format("names particle {}, which the scene does not have", id));
-    return found->second;
+    return index;
+  }
+  /// Most scenes count their particles from 0.
+  bool particle_if_any(std::uint64_t id, int& index) const {
+    if (id < ids_.size() && ids_[id] == static_cast<std::int32_t>(id)) {
+      index = static_cast<int>(id);
+      return true;
+    }
+    const auto found = id > 2147483647 ? index_of_.end() : index_of_.find(static_cast<std::int32_t>(id));
+    if (found == index_of_.end()) return false;
+    index = found->second;
+    return true;
   }
   int particle(dom::element value, const Pointer& at) const {
     std::int64_t id = 0;
@@ -168,6 +198,7 @@ class LineValues {
   }
 
   bool minimal() const { return minimal_; }
+  int dimension() const { return scene_.dimension; }
   bool has_drag() const { return scene_.drag.has_value(); }
 
  private:
@@ -178,6 +209,7 @@ class LineValues {
   bool minimal_;
   int digits_;
   std::unordered_map<std::int32_t, int> index_of_;
+  std::vector<std::int32_t> ids_;  ///< of particles
 };
 
 }  // namespace tps::check

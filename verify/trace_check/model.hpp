@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/scene/random.hpp"
+#include "verify/trace_check/flight_in_doubles.hpp"
 #include "verify/trace_check/group_model.hpp"
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/outside_kicks.hpp"
@@ -23,21 +24,6 @@ struct Flight {
   Work<Number> blur{0};      ///< how far the position may be off: where the trace does not record it
   std::uint64_t events = 0;  ///< of the run when it began
 };
-
-template <typename Number>
-Instant<double> rough(const Instant<Number>& t) {
-  const double hi = static_cast<double>(t.hi);
-  return {hi, static_cast<double>(Number(t.hi - Number(hi)) + t.lo)};
-}
-
-/// The same in doubles, for a first look.
-template <typename Number>
-Flight<double> rough(const Flight<Number>& f) {
-  const auto nearest = [](const Vec<Number>& x) {
-    return Vec<double>{{static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])}};
-  };
-  return {nearest(f.position), nearest(f.velocity), rough(f.since), static_cast<long double>(f.blur)};
-}
 
 /// A phase that begins or ends.
 struct PhaseChange {
@@ -68,7 +54,7 @@ class Model {
   OutsideKicks kicks;
   std::size_t phases_done = 0;
   std::map<std::array<int, 3>, std::uint32_t> draws;
-  std::map<std::string, std::uint64_t> kinds;
+  std::array<std::uint64_t, std::size(kKinds)> kinds{};  ///< events so far, by kind
   std::uint64_t events = 0;
   Instant<Number> now;               ///< of the last event
   Instant<Number> asked;             ///< of the line that is being judged
@@ -78,13 +64,7 @@ class Model {
   std::int32_t id(int i) const { return scene.particles[at(i)].id; }
   bool fixed(int i) const { return inverse_masses[at(i)] == W(0); }
   const Flight<Number>& flight(int i) const { return flights[at(i)]; }
-  const Flight<double>& rough_flight(int i) const {
-    if constexpr (std::is_same_v<Number, double>) {
-      return flights[at(i)];
-    } else {
-      return rough_flights_[at(i)];
-    }
-  }
+  const FlightInDoubles& flight_in_doubles(int i) const { return flights_in_doubles_[at(i)]; }
   bool keeps_spin(int i) const {
     return !spins.empty() && tps::keeps_spin(scene, scene.particles[at(i)].species);
   }
@@ -192,7 +172,7 @@ class Model {
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
     f = {position, velocity, t, blur, events + 1};
-    if constexpr (!std::is_same_v<Number, double>) rough_flights_[at(i)] = rough(f);
+    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, blur == W(0));
   }
 
   void apply_phase_change();
@@ -204,7 +184,7 @@ class Model {
     return fixed(i) || responded_[at(i)].count({j, outer}) != 0;
   }
 
-  std::vector<Flight<double>> rough_flights_;  ///< where Number is not double
+  std::vector<FlightInDoubles> flights_in_doubles_;
   std::vector<Responses> responded_;
   std::vector<bool> phase_is_open_;
 };
@@ -226,7 +206,7 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   };
   for (const Particle& p : scene.particles) {
     flights.push_back({lifted(p.position), lifted(p.velocity), {}, W(0)});
-    if constexpr (!std::is_same_v<Number, double>) rough_flights_.push_back(rough(flights.back()));
+    flights_in_doubles_.push_back(in_doubles(flights.back().position, flights.back().velocity, {}, true));
     const double mass = scene.species[at(p.species)].mass;
     inverse_masses.push_back(std::isinf(mass) ? W(0) : W(1) / W(stored<Number>(mass, precision)));
   }

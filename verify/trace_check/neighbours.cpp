@@ -1,6 +1,7 @@
 #include "verify/trace_check/neighbours.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -44,18 +45,13 @@ double spacing(const Scene& scene, const std::vector<int>& particles) {
   return 2 * side;
 }
 
-void take_out(std::vector<int>& list, int i) {
-  *std::find(list.begin(), list.end(), i) = list.back();
+template <typename List, typename IsMeant>
+void take_out(List& list, IsMeant is_meant) {
+  *std::find_if(list.begin(), list.end(), is_meant) = list.back();
   list.pop_back();
 }
 
 }  // namespace
-
-std::size_t Neighbours::HashOfCell::operator()(const Cell& cell) const {
-  std::uint64_t hash = 0;
-  for (const std::int32_t x : cell) hash = (hash ^ static_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15U;
-  return hash ^ (hash >> 32U);
-}
 
 Neighbours::Neighbours(const Scene& scene, double u)
     : dimension_(scene.dimension),
@@ -103,8 +99,25 @@ void Neighbours::choose_cells(const Scene& scene) {
   cell_ = std::max(1.5 * reach_, spacing(scene, short_reaching_));
   slack_ = (cell_ * (1 - margin_) - reach_) / 2;
   in_cells_ = slack_ > 0 && cell_ > kSmallestCell && cell_ < kLargestCell;
+  per_cell_ = 1 / cell_;
   sides_.fill(cell_);
   if (in_cells_ && scene.box) fit_cells_to_box(scene);
+  if (in_cells_) lay_out_buckets();
+}
+
+/// About two buckets a particle, a power of two along each axis, four at least.
+void Neighbours::lay_out_buckets() {
+  const double side = std::pow(2 * static_cast<double>(anchors_.size()), 1.0 / dimension_);
+  const auto wanted = std::max<std::size_t>(4, std::bit_ceil(static_cast<std::size_t>(side)));
+  std::size_t buckets = 1;
+  for (std::size_t k = static_cast<std::size_t>(dimension_); k-- > 0;) {
+    const auto around = std::bit_ceil(static_cast<std::size_t>(around_[k]));
+    const std::size_t count = around > 1 && around < 4 * wanted ? std::max<std::size_t>(4, around) : wanted;
+    stride_[k] = buckets;
+    mask_[k] = static_cast<std::uint32_t>(count - 1);
+    buckets *= count;
+  }
+  buckets_.resize(buckets);
 }
 
 /// As many cells along a periodic axis as fit. With fewer than three somebody would be on both sides.
@@ -117,16 +130,15 @@ void Neighbours::fit_cells_to_box(const Scene& scene) {
     edges_[k] = edge;
     sides_[k] = edge / count;
     around_[k] = static_cast<std::int32_t>(count);
+    cells_around_[k] = edge * per_cell_;
   }
 }
 
 void Neighbours::remove(int i) {
   Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (anchor.loose) take_out(loose_, i);
+  if (anchor.loose) take_out(loose_, [i](int other) { return other == i; });
   if (anchor.placed) {
-    const auto cell = cells_.find(anchor.cell);
-    take_out(cell->second, i);
-    if (cell->second.empty()) cells_.erase(cell);
+    take_out(bucket(anchor.cell), [i](const Member& other) { return other.particle == i; });
   }
   anchor.placed = anchor.loose = false;
 }
@@ -147,6 +159,7 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
     is_somewhere = is_somewhere && std::fabs(position[k] / sides_[k]) < last_cell;
     const double x =
         is_periodic ? position[k] - edges_[k] * std::floor(position[k] / edges_[k]) : position[k];
+    anchor.place[k] = x * per_cell_;
     const double place = std::floor(x / sides_[k]);
     anchor.cell[k] = is_somewhere ? static_cast<std::int32_t>(place) : 0;
     // Rounding may put a place on the edge itself, or just below 0.
@@ -158,7 +171,7 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
     return;
   }
   anchor.placed = true;
-  cells_[anchor.cell].push_back(i);
+  bucket(anchor.cell).push_back({anchor.place, i});
   if (std::isinf(anchor.expires)) return;
   expiries_.push({anchor.expires, i, anchor.number});
   if (expiries_.size() > 4 * anchors_.size()) forget_old_expiries();
@@ -185,23 +198,49 @@ std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
   return std::nullopt;
 }
 
+/// Takes up whoever has an anchor within a cell's side, of the nearest image. Members of other cells that
+/// share the bucket have none, nor most of those in the corners.
+template <bool kIsPeriodic>
+void Neighbours::find_in(const std::vector<Member>& bucket, const Coordinates& place) {
+  for (const Member& other : bucket) {
+    double squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double r = other.anchor[k] - place[k];
+      if (kIsPeriodic && around_[k] > 0) {
+        r = std::fabs(r);
+        if (r > cells_around_[k] / 2) r = cells_around_[k] - r;
+      }
+      squared += r * r;
+    }
+    if (squared <= 1) found_.push_back(other.particle);
+  }
+}
+
 const std::vector<int>& Neighbours::near(int i) {
   const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (!in_cells_ || anchor.loose || reaches_far_[static_cast<std::size_t>(i)]) return everyone_;
+  if (is_near_everybody(i)) return everyone_;
   found_ = far_reaching_;
   if (!anchor.placed) return found_;
   found_.insert(found_.end(), loose_.begin(), loose_.end());
-  const std::int32_t deep = dimension_ == 3 ? 1 : 0;
-  for (std::int32_t x = -1; x <= 1; ++x) {
-    for (std::int32_t y = -1; y <= 1; ++y) {
-      for (std::int32_t z = -deep; z <= deep; ++z) {
-        Cell place{anchor.cell[0] + x, anchor.cell[1] + y, anchor.cell[2] + z};
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (around_[k] > 0) place[k] = (place[k] + around_[k]) % around_[k];
+  std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::int32_t step = -1; step <= 1; ++step) {
+      std::int32_t x = anchor.cell[k] + step;
+      if (around_[k] > 0) x = x < 0 ? x + around_[k] : x >= around_[k] ? x - around_[k] : x;
+      parts[k][static_cast<std::size_t>(step + 1)] = along(k, x);
+    }
+  }
+  const std::size_t first = dimension_ == 3 ? 0 : 1;
+  const bool is_periodic = around_[0] > 0 || around_[1] > 0 || around_[2] > 0;
+  for (const std::size_t x : parts[0]) {
+    for (const std::size_t y : parts[1]) {
+      for (std::size_t z = first; z < 3 - first; ++z) {
+        const std::vector<Member>& bucket = buckets_[x + y + parts[2][z]];
+        if (is_periodic) {
+          find_in<true>(bucket, anchor.place);
+        } else {
+          find_in<false>(bucket, anchor.place);
         }
-        const auto cell = cells_.find(place);
-        if (cell == cells_.end()) continue;
-        found_.insert(found_.end(), cell->second.begin(), cell->second.end());
       }
     }
   }

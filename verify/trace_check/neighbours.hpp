@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
@@ -14,9 +13,9 @@
 namespace tps::check {
 
 /// A particle is within `slack` of its anchor until the anchor expires, and 4 u of that time longer. Law:
-/// particles whose anchors are not near each other have not come within a blocking distance since the later
-/// of the two was set, whatever their positions, velocities and times. In a periodic box no image has: a
-/// whole number of cells, three at least, goes round each periodic axis.
+/// particles whose anchors are not within a cell's side of each other have not come within a blocking
+/// distance since the later of the two was set, whatever their positions, velocities and times. In a periodic
+/// box no image has: a whole number of cells, three at least, goes round each periodic axis.
 class Neighbours {
  public:
   /// Positions and times are those of a run with the unit roundoff u.
@@ -35,9 +34,15 @@ class Neighbours {
   /// The anchor that expires first, if any does at or before t.
   std::optional<Expiry> expiry_until(double t);
 
-  /// Every other particle that may be near particle i: those of the cells around, and those that are never in
-  /// a cell.
+  /// Every other particle that may be near particle i: those whose anchors are within a cell's side of its
+  /// own, and those that are never in a cell.
   const std::vector<int>& near(int i);
+
+  /// Whether everybody is near particle i.
+  bool is_near_everybody(int i) const {
+    const auto n = static_cast<std::size_t>(i);
+    return !in_cells_ || anchors_[n].loose || reaches_far_[n];
+  }
 
   /// Particles of the few that reach far (walls, membranes), and all others, of which none reaches another
   /// from farther than reach().
@@ -47,11 +52,14 @@ class Neighbours {
 
  private:
   using Cell = std::array<std::int32_t, 3>;
-  struct HashOfCell {
-    std::size_t operator()(const Cell& cell) const;
+  /// Of a bucket.
+  struct Member {
+    Coordinates anchor;  ///< as Anchor::place
+    int particle;
   };
   struct Anchor {
     Cell cell{};
+    Coordinates place{};       ///< taken back into a periodic box, in units of cell_
     bool placed = false;       ///< in a cell
     bool loose = false;        ///< has no anchor at present
     std::uint32_t number = 0;  ///< of anchors that the particle has had
@@ -64,9 +72,20 @@ class Neighbours {
     bool operator>(const Due& other) const { return t > other.t; }
   };
 
+  std::vector<Member>& bucket(const Cell& cell) {
+    return buckets_[along(0, cell[0]) + along(1, cell[1]) + along(2, cell[2])];
+  }
+
   void divide(const Scene& scene);
   void choose_cells(const Scene& scene);
   void fit_cells_to_box(const Scene& scene);
+  void lay_out_buckets();
+  /// The part that a coordinate of a cell has in the number of its bucket.
+  std::size_t along(std::size_t axis, std::int32_t x) const {
+    return (static_cast<std::uint32_t>(x) & mask_[axis]) * stride_[axis];
+  }
+  template <bool kIsPeriodic>
+  void find_in(const std::vector<Member>& bucket, const Coordinates& place);
   void remove(int i);
   void forget_old_expiries();
 
@@ -77,13 +96,18 @@ class Neighbours {
   double u_;
   double margin_;                            ///< part of a cell that pays for rounding
   bool in_cells_ = false;                    ///< else everybody is near everybody
-  double cell_ = 0;                          ///< least side of a cell
+  double cell_ = 0, per_cell_ = 0;           ///< least side of a cell, and 1 over it
   std::array<double, 3> sides_{}, edges_{};  ///< of a cell; of the periodic box
+  std::array<double, 3> cells_around_{};     ///< edges_ in units of cell_
   std::array<std::int32_t, 3> around_{};     ///< cells along a periodic axis; 0: the axis is open
   double slack_ = 0;                         ///< how far a particle may be from its anchor
   std::vector<Anchor> anchors_;
   std::vector<int> loose_;
-  std::unordered_map<Cell, std::vector<int>, HashOfCell> cells_;
+  /// Cells wrapped around like a torus: distant ones may share a bucket, neighbouring ones do only across the
+  /// edge of a periodic box with more cells along it than buckets.
+  std::vector<std::vector<Member>> buckets_;
+  std::array<std::uint32_t, 3> mask_{};
+  std::array<std::size_t, 3> stride_{};
   std::priority_queue<Due, std::vector<Due>, std::greater<>> expiries_;
   std::vector<int> found_;
 };

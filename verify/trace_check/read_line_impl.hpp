@@ -7,6 +7,7 @@
 #include "reference/text/input_error.hpp"
 #include "verify/trace_check/event_demands.hpp"
 #include "verify/trace_check/line_values.hpp"
+#include "verify/trace_check/own_spelling.hpp"
 #include "verify/trace_check/read_line.hpp"
 
 namespace tps::check {
@@ -26,6 +27,13 @@ class LineReading<Number>::Json : private LineValues<Number> {
   using Values::LineValues;
 
   Line<Number> read(std::string_view line_text) {
+    if (line_text.starts_with("{\"k\":")) {
+      EventLine<Number> event;
+      if (OwnSpelling<Number, Values>(*this, line_text).read(event)) {
+        EventDemands<Number>(event, minimal(), has_drag()).demand();
+        return event;
+      }
+    }
     // The parser skips a byte order mark, which no line of ours has.
     if (line_text.starts_with("\xEF\xBB\xBF")) problem(kLine, "starts with a byte order mark");
     dom::element root;

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "verify/trace_check/lazy_table.hpp"
 
 namespace tps::check {
 
@@ -23,7 +24,7 @@ class Residuals {
  public:
   void add(double y, double x, double size) {
     const std::uint64_t like = std::bit_cast<std::uint64_t>(std::fabs(size)) >> 29U;
-    Sums& sums = clusters_[(like * 0x9e3779b97f4a7c15U) >> 48U];
+    Sums& sums = clusters_[static_cast<std::uint16_t>((like * 0x9e3779b97f4a7c15U) >> 48U)];
     sums.xy += x * y;
     sums.xx += x * x;
     ++count_;
@@ -38,13 +39,13 @@ class Residuals {
     const Sums all = total();
     const double m = mean();
     double variance = 0;
-    for (const Sums& s : clusters_) variance += (s.xy - m * s.xx) * (s.xy - m * s.xx);
+    clusters_.each([&](const Sums& s) { variance += (s.xy - m * s.xx) * (s.xy - m * s.xx); });
     return all.xx > 0 ? std::sqrt(variance) / all.xx : 0;
   }
   double independent() const {
     const Sums all = total();
     double squares = 0;
-    for (const Sums& s : clusters_) squares += s.xx * s.xx;
+    clusters_.each([&](const Sums& s) { squares += s.xx * s.xx; });
     return squares > 0 ? all.xx * all.xx / squares : 0;
   }
 
@@ -54,15 +55,15 @@ class Residuals {
   };
   Sums total() const {
     Sums all;
-    for (const Sums& s : clusters_) {
+    clusters_.each([&](const Sums& s) {
       all.xy += s.xy;
       all.xx += s.xx;
-    }
+    });
     return all;
   }
 
   std::uint64_t count_ = 0;
-  std::vector<Sums> clusters_ = std::vector<Sums>(std::size_t{1} << 16U);
+  LazyTable<Sums> clusters_;
 };
 
 }  // namespace tps::check

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "verify/trace_check/lazy_table.hpp"
 #include "verify/trace_check/report.hpp"
 #include "verify/trace_check/residuals.hpp"
 
@@ -98,8 +99,7 @@ class Tally {
   /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
   bool seen_before(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
-    seen_.resize(std::size_t{1} << 16U);
-    std::uint64_t& slot = seen_[(bits * 0x9e3779b97f4a7c15U) >> 48U];
+    std::uint64_t& slot = seen_[static_cast<std::uint16_t>((bits * 0x9e3779b97f4a7c15U) >> 48U)];
     return std::exchange(slot, bits) == bits;
   }
 
@@ -126,7 +126,7 @@ class Tally {
   std::uint64_t max_reports_;
   std::map<std::string, Residuals> residuals_;
   std::map<Rule, std::string> vague_;
-  std::vector<std::uint64_t> seen_;
+  LazyTable<std::uint64_t> seen_;
 };
 
 }  // namespace tps::check

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
@@ -82,9 +84,48 @@ inline Instant<double> instant_of(const HexDigits& digits, double start_time) {
   return {hi, sum.rounded()};
 }
 
+/// A time since the start that is spelt "0x1.…p±…" with at most 30 digits behind the point, as a whole number
+/// of 124 bits times a power of two: hi is the nearest double, lo that of the rest. Nothing for any other
+/// text.
+inline std::optional<Instant<double>> usual_time(std::string_view text) {
+  constexpr std::size_t kMost = 30;
+  constexpr int kFarthest = 900;  // so that neither part leaves the range of normal doubles
+  if (!text.starts_with("0x1")) return std::nullopt;
+  __extension__ using Wide = unsigned __int128;  // of both compilers; the standard has none
+  __extension__ using Signed = __int128;
+  Wide whole = 1;
+  std::size_t at = 3, digits = 0;
+  if (at < text.size() && text[at] == '.') {
+    for (++at; at < text.size() && digits <= kMost; ++at, ++digits) {
+      const char c = text[at];
+      if (c >= '0' && c <= '9') {
+        whole = whole << 4U | static_cast<unsigned>(c - '0');
+      } else if (c >= 'a' && c <= 'f') {
+        whole = whole << 4U | static_cast<unsigned>(c - 'a' + 10);
+      } else {
+        break;
+      }
+    }
+  }
+  if (digits > kMost || at + 2 >= text.size() || text[at] != 'p') return std::nullopt;
+  const bool is_below = text[at + 1] == '-';
+  if (!is_below && text[at + 1] != '+') return std::nullopt;
+  int exponent = 0;
+  const auto [end, error] = std::from_chars(text.data() + at + 2, text.data() + text.size(), exponent);
+  if (error != std::errc() || end != text.data() + text.size() || exponent < 0 || exponent > kFarthest / 2)
+    return std::nullopt;
+  const auto hi = static_cast<double>(whole);
+  const auto rest = static_cast<Signed>(whole - static_cast<Wide>(hi));
+  const double unit = std::ldexp(1.0, (is_below ? -exponent : exponent) - 4 * static_cast<int>(digits));
+  return Instant<double>{hi * unit, static_cast<double>(rest) * unit};
+}
+
 /// A time on the scene's clock as time since the start.
 template <typename Number>
 std::optional<Instant<Number>> instant_of(std::string_view text, double start_time) {
+  if constexpr (std::is_same_v<Number, double>) {
+    if (const auto usual = start_time == 0 ? usual_time(text) : std::nullopt) return usual;
+  }
   if (start_time == 0 && text.size() <= 20) {
     const std::optional<Number> simple = number_of<Number>(text);
     if (simple) return Instant<Number>{*simple, Number(0)};

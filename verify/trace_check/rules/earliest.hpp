@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reference/version.hpp"
-#include "verify/trace_check/clear.hpp"
 #include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/bounds.hpp"
@@ -200,30 +199,6 @@ Asked judge_limit(const Context<Number>& c, const LimitFlight<Number>& flight, b
   return result;
 }
 
-namespace detail {
-
-/// A first look in doubles. Positions carried to the start of the flight have a few roundings of the trace's
-/// scalar, thousands are allowed for. Where certified timing compares exact moments, they may be behind the
-/// recorded ones by 1.1 u of them: the flight is looked at for so much longer.
-template <typename Number>
-bool stayed_clear(const Context<Number>& c, int i, int j, const PairRules<Number>& rules, bool tethered,
-                  const Instant<double>& until) {
-  const Flight<double>& a = c.model.rough_flight(i);
-  const Flight<double>& b = c.model.rough_flight(j);
-  if (c.model.eager || a.blur + b.blur != 0) return false;
-  const double u = static_cast<double>(c.u());
-  const double longer = c.certified() ? 2 * u * until.hi : 0;
-  const auto line = [&](const Flight<double>& f) {
-    return StraightLine{f.position.x.data(), f.velocity.x.data(),
-                        (until.hi - f.since.hi) + (until.lo - f.since.lo) + longer};
-  };
-  const LimitsInDoubles limits{rules.blocks ? static_cast<double>(rules.inner) : -1.0,
-                               tethered ? static_cast<double>(rules.outer) : -1.0};
-  return is_clear(line(a), line(b), limits, 0x1p-104 * until.hi, std::max(0x1p13 * u, 0x1p-40));
-}
-
-}  // namespace detail
-
 /// The images of j that i can have come near to within `reach` during a flight, by each axis for itself;
 /// nothing else than j itself without a periodic box.
 template <typename Number>
@@ -266,9 +241,6 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
   const bool tethered = model.tethered(i, j);
   Asked result;
   if ((!rules.blocks && !tethered) || model.groups.together(i, j)) return result;
-  if (happening.until != Until::ever && !model.edges &&
-      detail::stayed_clear(c, i, j, rules, tethered, rough(until)))
-    return result;
   const Instant<Number>& start = std::max(model.flight(i).since, model.flight(j).since);
   if (until < start) return result;
   const W dt = elapsed(start, until);

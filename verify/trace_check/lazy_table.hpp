@@ -1,0 +1,36 @@
+// A table of 2^16 places that costs what is used of it: most traces are short.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace tps::check {
+
+/// Places begin as T().
+template <typename T>
+class LazyTable {
+ public:
+  T& operator[](std::uint16_t place) {
+    std::unique_ptr<Page>& page = pages_[place / kPage];
+    if (page == nullptr) page = std::make_unique<Page>();
+    return (*page)[place % kPage];
+  }
+
+  /// Goes through places in their order, without those that nobody has asked for or asked for a neighbour of.
+  template <typename Visit>
+  void each(Visit visit) const {
+    for (const std::unique_ptr<Page>& page : pages_) {
+      if (page == nullptr) continue;
+      for (const T& item : *page) visit(item);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPage = 64;
+  using Page = std::array<T, kPage>;
+  std::array<std::unique_ptr<Page>, (std::size_t{1} << 16U) / kPage> pages_{};
+};
+
+}  // namespace tps::check
