@@ -33,15 +33,15 @@ RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
 namespace eval {
 
 template <>
-Report evaluate_in<long double>(const Operation&, const Input&, std::string_view) {
+Report evaluate_in<long double>(const Operation&, const Input&, std::string_view, Detail) {
   lacking("long-double");
 }
 template <>
-Report evaluate_in<Quad>(const Operation&, const Input&, std::string_view) {
+Report evaluate_in<Quad>(const Operation&, const Input&, std::string_view, Detail) {
   lacking("quad");
 }
 template <>
-Report evaluate_in<Mp100>(const Operation&, const Input&, std::string_view) {
+Report evaluate_in<Mp100>(const Operation&, const Input&, std::string_view, Detail) {
   lacking("mp100");
 }
 
