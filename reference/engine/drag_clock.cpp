@@ -45,9 +45,10 @@ std::optional<double> by_series(const Dyadic& s, const Dyadic& z, double start) 
 }
 
 /// For z ≤ 1/2 by −ln(1 − z), above by the logarithm of the exact 1 − z, each in long double: at most 8 of
-/// its units 2^−64 off, which docs/effects.md counts. Decides all but one in 2^7 or so.
+/// its units 2^−64 off, which docs/effects.md counts. Decides all but one in 2^7 or so. Where long double has
+/// another size the logarithm may be a double's (musl's of 113 bits is), so that it decides nothing.
 std::optional<double> by_long_double(double gamma, const Dyadic& z, const Dyadic& rest) {
-  if (std::numeric_limits<long double>::digits < 64) return std::nullopt;
+  if (std::numeric_limits<long double>::digits != 64) return std::nullopt;
   const long double log =
       magnitude(z) < -1 ? std::log1p(-nearest<long double>(z)) : std::log(nearest<long double>(rest));
   const long double t = -log / static_cast<long double>(gamma);
