@@ -120,6 +120,8 @@ class Effect {
   }
   /// Adds to the nth of them. Throws OutOfRange.
   void add_energy(std::size_t n, const Scalar& energy) { shares_[n].add(energy, name()); }
+  /// The nth of them, for a coupling that adds to it.
+  EnergyShare<Scalar>& energy_share(std::size_t n) { return shares_[n]; }
 
  private:
   std::string named(const EnergyShare<Scalar>& share) const {

@@ -24,8 +24,12 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   using SpinVec = Spin<Scalar, D>;
   static constexpr int kSize = D == 2 ? 1 : 3;
 
-  explicit SpinCoupling(const Scene& scene)
-      : species_(scene.species.size()), friction_(species_ * species_), spins_(scene.particles.size()) {
+  /// @param lost  takes up what friction turns into heat; outlives the coupling
+  SpinCoupling(const Scene& scene, EnergyShare<Scalar>& lost)
+      : species_(scene.species.size()),
+        friction_(species_ * species_),
+        spins_(scene.particles.size()),
+        lost_(lost) {
     for (const PairLaw& law : scene.pairs) {
       if (!law.friction) continue;
       const Friction friction{Scalar(law.friction->mu), Scalar(law.friction->beta0)};
@@ -43,9 +47,6 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   /// Takes up a spin from outside: a full state's.
   void set_spin(int i, const SpinVec& spin) { spins_[World<Scalar, D>::index(i)] = spin; }
 
-  /// What friction has turned into heat. A run that is resumed puts its sum back.
-  EnergyShare<Scalar>& lost() { return lost_; }
-
   /// ½ Σ I ω².
   Scalar energy(const World<Scalar, D>& world) const {
     Sum<Scalar> twice;
@@ -56,7 +57,7 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   }
 
   std::optional<SpinEnergies<Scalar>> spin_energies(const World<Scalar, D>& world) const override {
-    return SpinEnergies<Scalar>{SpinCoupling(world.scene).energy(world), energy(world)};
+    return SpinEnergies<Scalar>{SpinCoupling(world.scene, lost_).energy(world), energy(world)};
   }
 
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>& record) override {
@@ -116,7 +117,7 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   std::vector<std::optional<Friction>> friction_;  ///< by two species
   std::vector<Scalar> radii_;                      ///< by species
   std::vector<SpinVec> spins_;
-  EnergyShare<Scalar> lost_{"lost", {}};
+  EnergyShare<Scalar>& lost_;
   Addition<Scalar, D> addition_;  ///< to the record of the last rebound with friction
 };
 

@@ -30,6 +30,7 @@ class DragCoupling final : public FreeCoupling<Scalar, D> {
     note(world, loss);
     world.ledger.lost += loss;
   }
+
   /// 1 − γ s = e^{−γt}, at most 3u off.
   Scalar velocity_unit(const Time<Scalar>& s) const override {
     return std::max(Scalar(Scalar(1) - gamma_ * s.hi) - gamma_ * s.lo, Scalar(0));

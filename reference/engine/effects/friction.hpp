@@ -19,25 +19,14 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class FrictionEffect final : public Effect<Scalar, D> {
  public:
+  FrictionEffect() : Effect<Scalar, D>({"lost"}) {}
   std::string_view name() const override { return "friction"; }
   void begin(World<Scalar, D>& world, int) override {
-    auto coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene);
+    auto coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene, this->energy_share(0));
     coupling_ = coupling.get();
     world.coupling = std::move(coupling);
   }
   void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) override {}
-
-  using Numbers = typename Effect<Scalar, D>::Numbers;
-  Numbers numbers(const World<Scalar, D>&) const override {
-    return {{"friction_lost", {coupling_->lost().sum.total(), coupling_->lost().sum.rest()}}};
-  }
-  void take_numbers(World<Scalar, D>&, const Numbers& numbers) override {
-    const std::vector<Scalar>& kept = numbers.at("friction_lost");
-    coupling_->lost().sum = {kept.at(0), kept.at(1)};
-  }
-  typename Effect<Scalar, D>::Energies energies(const World<Scalar, D>&, const Time<Scalar>&) const override {
-    return {{coupling_->lost().what, coupling_->lost().sum.value()}};
-  }
 
   void save(const World<Scalar, D>& world, StateData& state) const override {
     for (int i = 0; i < world.size(); ++i) {
