@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/laws/drag_clock.hpp"
+#include "properties/laws/plane_approach.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -12,24 +13,7 @@ bool may_be(const Wide& x, const Wide& error, int sign) {
   return sign > 0 ? x + error > 0 : sign < 0 ? x - error < 0 : abs(x) <= error;
 }
 
-struct PlaneNumbers {
-  Wide gap, gap_error, towards, towards_error;
-
-  PlaneNumbers(const exact::TimingQuery& q, const Wide& u) : gap(-Wide(q.L)), gap_error(q.L), towards(0) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Wide of_r = Wide(q.normal[k]) * (Wide(q.u_B[k]) - Wide(q.u_A[k]));
-      const Wide of_v = Wide(q.normal[k]) * (Wide(q.v_A[k]) - Wide(q.v_B[k]));
-      gap += of_r;
-      gap_error += abs(of_r);
-      towards += of_v;
-      towards_error += abs(of_v);
-    }
-    gap_error *= 6 * u * kSlack;
-    towards_error *= 5 * u * kSlack;
-  }
-};
-
-bool is_time_of_plane(const PlaneNumbers& q, const std::optional<double>& t, const Wide& u) {
+bool is_time_of_plane(const PlaneApproach& q, const std::optional<double>& t, const Wide& u) {
   if (!t) return may_be(q.towards, q.towards_error, -1) || may_be(q.towards, q.towards_error, 0);
   if (!(*t >= 0) || !may_be(q.towards, q.towards_error, 1)) return false;
   if (*t == 0) return may_be(q.gap, q.gap_error, -1) || may_be(q.gap, q.gap_error, 0);
@@ -39,7 +23,7 @@ bool is_time_of_plane(const PlaneNumbers& q, const std::optional<double>& t, con
          (slowest <= 0 || Wide(*t) * slowest * (1 - 2 * u) <= q.gap + q.gap_error);
 }
 
-bool is_verdict_of_plane(const PlaneNumbers& q, const std::string& verdict) {
+bool is_verdict_of_plane(const PlaneApproach& q, const std::string& verdict) {
   const bool approaches = may_be(q.towards, q.towards_error, 1);
   if (verdict == "receding")
     return may_be(q.towards, q.towards_error, -1) || may_be(q.towards, q.towards_error, 0);
@@ -98,7 +82,7 @@ Margin margin_of_plane(const exact::TimingQuery& query, const TimeAnswer& answer
     const bool is_right = !answer.t && answer.verdict.value_or("static") == "static";
     return is_right ? Margin::stable : Margin::none;
   }
-  const PlaneNumbers q(query, u);
+  const PlaneApproach q({query.u_A, query.u_B, query.v_A, query.v_B}, query.L, query.normal, u);
   const bool explained =
       is_time_of_plane(q, answer.t, u) && (!answer.verdict || is_verdict_of_plane(q, *answer.verdict));
   return explained ? Margin::stable : Margin::none;

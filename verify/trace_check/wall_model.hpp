@@ -18,9 +18,10 @@ struct WallModel {
   Vec<Number> low = {}, high = {};  ///< the ends of a box, of its outside
 
   /// Along the axes on which the distance from a part of a box is measured; else all of it.
-  Vec<Number> measured(Vec<Number> x) const {
+  template <typename Coordinate>
+  Vec<Coordinate> measured(Vec<Coordinate> x) const {
     for (std::size_t k = 0; surface.region && k < 3; ++k) {
-      if (!surface.region->measures(k)) x[k] = Number(0);
+      if (!surface.region->measures(k)) x[k] = Coordinate(0);
     }
     return x;
   }

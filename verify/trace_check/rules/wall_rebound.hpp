@@ -31,10 +31,8 @@ BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Numbe
   const Vec<W> centre = widened<W>(carried(of_wall, event.t, model.precision, b.blur));
   if (!p.position_before)
     b.blur += model.blur_of_place(event.i, event.t) + c.time_error(event.t) * length(b.v);
-  b.r = centre - (p.position_before ? widened<W>(*p.position_before) : model.position(event.i, event.t));
-  for (std::size_t k = 0; wall.surface.region && k < 3; ++k) {
-    if (!wall.surface.region->measures(k)) b.r[k] = W(0);
-  }
+  const Vec<W> place = p.position_before ? widened<W>(*p.position_before) : model.position(event.i, event.t);
+  b.r = wall.measured(Vec<W>(centre - place));
   return b;
 }
 
