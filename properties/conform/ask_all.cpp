@@ -15,10 +15,6 @@
 namespace tps::properties::conform {
 namespace {
 
-bool has(const std::vector<std::string>& list, const std::string& name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
-
 /// What hello says of its questions is added to the plan.
 Plan within_capabilities(const Implementation& subject, const Plan& plan, Verdict& verdict) {
   Plan taken = plan;
@@ -39,8 +35,7 @@ Plan within_capabilities(const Implementation& subject, const Plan& plan, Verdic
 constexpr int kBitsOfStates = 53;
 
 void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict) {
-  const auto offered = subject.offered();
-  if (offered ? !has(*offered, kNextEvent) : has(verdict.not_offered, kNextEvent)) return;
+  if (!is_offered(subject, verdict, kNextEvent)) return;
   if (!wanted(plan.ops, kNextEvent) || subject.format().bits < kBitsOfStates) return;
   const auto rows = step_rows();
   if (std::none_of(rows.begin(), rows.end(),
@@ -58,10 +53,9 @@ void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict
 
 /// An operation that --ops names, and that the subject does not offer, is refused.
 void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, Verdict& verdict) {
-  const auto offered = subject.offered();
   for (const std::string& op : plan.ops) {
     if (protocol::find_entry(op) == nullptr) continue;  // a pattern
-    if (offered ? has(*offered, op) : !has(verdict.not_offered, op)) continue;
+    if (is_offered(subject, verdict, op)) continue;
     std::erase(verdict.not_offered, op);
     Row row{area_of(op), op + ".offered", op, "offered", page_of(op)};
     row.add({Class::refused, "asked for by --ops, and not offered"}, [&] {

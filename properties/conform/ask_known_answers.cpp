@@ -153,6 +153,15 @@ class KnownAnswers {
 
 }  // namespace
 
+bool has(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_offered(const Implementation& subject, const Verdict& verdict, const std::string& op) {
+  const auto offered = subject.offered();
+  return offered ? has(*offered, op) : !has(verdict.not_offered, op);
+}
+
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
   return list.empty() || std::any_of(list.begin(), list.end(), [&](const std::string& pattern) {
            return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;

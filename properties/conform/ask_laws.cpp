@@ -74,7 +74,7 @@ class Laws {
       const std::string op(entry.name);
       if (!wanted(plan_.ops, op)) continue;
       wanted_.push_back(op);
-      if (is_offered(op)) asked_.push_back(op);
+      if (is_offered(subject_, verdict_, op)) asked_.push_back(op);
     }
   }
 
@@ -90,15 +90,6 @@ class Laws {
   }
 
  private:
-  static bool has(const std::vector<std::string>& list, const std::string& op) {
-    return std::find(list.begin(), list.end(), op) != list.end();
-  }
-
-  bool is_offered(const std::string& op) const {
-    const auto offered = subject_.offered();
-    return offered ? has(*offered, op) : !has(verdict_.not_offered, op);
-  }
-
   void note_not_asked(const Law& law) {
     std::vector<std::string> needs;
     std::copy_if(law.operations.begin(), law.operations.end(), std::back_inserter(needs),

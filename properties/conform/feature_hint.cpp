@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "properties/conform/inquiry.hpp"
+
 namespace tps::properties::conform {
 namespace {
 
@@ -57,7 +59,7 @@ std::optional<std::string> FeatureHint::words() const {
   while (!failing.empty()) {
     std::array<std::ptrdiff_t, kThings.size()> explained{};
     for (std::size_t n = 0; n < kThings.size(); ++n) {
-      if (std::find(features_.begin(), features_.end(), kThings[n].word) == features_.end())
+      if (!has(features_, kThings[n].word))
         explained[n] =
             std::count_if(failing.begin(), failing.end(), [n](const Asked* s) { return s->has[n]; });
     }

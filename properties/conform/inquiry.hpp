@@ -32,6 +32,13 @@ struct Plan {
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict);
 void ask_laws(Implementation& subject, const Plan& plan, Verdict& verdict);
 
+/// Whether a name is in a list.
+bool has(const std::vector<std::string>& list, const std::string& name);
+
+/// Whether the subject has said that it answers an operation; of one that has not said what it answers,
+/// whether it has refused none of its questions so far.
+bool is_offered(const Implementation& subject, const Verdict& verdict, const std::string& op);
+
 /// Whether a list of patterns has one that fits the name; all are wanted where it is empty.
 bool wanted(const std::vector<std::string>& list, const std::string& name);
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "properties/conform/inquiry.hpp"
 #include "properties/conform/scene_variations.hpp"
 #include "properties/runs/contact_scenes.hpp"
 #include "reference/run/run.hpp"
@@ -64,10 +65,6 @@ RunSummary first_events(const Scene& scene, std::uint64_t count) {
   RunOptions options;
   options.max_events = count;
   return run_scene(scene, options);
-}
-
-bool has(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// Without a duration, where the run ends by itself and soon: what is far away is known by few digits.

@@ -10,6 +10,7 @@
 #include "properties/conform/mistakes.hpp"
 #include "properties/runs/scratch_file.hpp"
 #include "reference/run/run.hpp"
+#include "reference/scene/pair_law.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {
@@ -38,11 +39,7 @@ std::size_t law_of(const Scene& scene, int i, int j) {
                         [id](const Particle& p) { return p.id == id; })
         ->species;
   };
-  const int one = species(i), other = species(j);
-  const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const PairLaw& law) {
-    return law.species_a == std::min(one, other) && law.species_b == std::max(one, other);
-  });
-  return static_cast<std::size_t>(found - scene.pairs.begin());
+  return static_cast<std::size_t>(pair_law(scene.pairs, species(i), species(j)) - scene.pairs.data());
 }
 
 Pulls pulls_in_run(const Scene& scene, std::uint64_t most_events) {

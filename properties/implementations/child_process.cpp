@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "properties/implementations/guard.hpp"
+#include "properties/implementations/last_words.hpp"
 #include "reference/process/interrupt.hpp"
 
 namespace tps::properties {
@@ -23,8 +24,6 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 constexpr std::size_t kKeptOfErrors = 2000;
 constexpr std::size_t kShown = 80;
-/// Of the last lines on standard error: together, and of one that is longer than that.
-constexpr std::size_t kShownOfErrors = 400;
 /// For a guard to end what it watches.
 constexpr std::chrono::milliseconds kTimeToEnd{3000};
 /// Between the last word of a program and its end.
@@ -47,38 +46,6 @@ struct Pipe {
 void close_end(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
   descriptor = -1;
-}
-
-/// One line, whatever the bytes.
-std::string shown(std::string_view text, std::size_t most) {
-  std::string line;
-  for (const char c : text.substr(0, most)) line += c >= ' ' && c <= '~' ? c : c == '\n' ? ' ' : '?';
-  while (line.ends_with(' ')) line.pop_back();
-  return text.size() > most ? line + " …" : line;
-}
-
-/// Blank, or what underlines a part of the line above, as tracebacks do.
-bool says_nothing(std::string_view line) {
-  return line.find_first_not_of(" \t\r~^") == std::string_view::npos;
-}
-
-/// The last lines of a text, whole as long as they fit, in one line. `begins` says whether the text begins
-/// with a line.
-std::string last_lines(std::string_view text, bool begins) {
-  std::vector<std::string_view> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at);
-    const bool is_whole = at > 0 || begins || end == text.size();
-    if (is_whole && !says_nothing(line)) lines.push_back(line.substr(line.find_first_not_of(" \t")));
-    at = end + 1;
-  }
-  std::string said;
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    if (!said.empty() && said.size() + line->size() > kShownOfErrors) break;
-    said = shown(*line, kShownOfErrors) + (said.empty() ? "" : " | ") + said;
-  }
-  return said;
 }
 
 /// The guards there are, for a signal that ends the process: it waits a moment for them.

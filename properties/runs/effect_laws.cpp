@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "properties/runs/laws.hpp"
+#include "reference/scene/pair_law.hpp"
 
 namespace tps::properties::runs {
 namespace {
@@ -168,11 +169,8 @@ RunVerdict rubs(const Scene& scene, Simulator& simulator) {
   return RunVerdict::of(first_fault(
       scene, simulator, [&](const Replay&, const TracedEvent& event) -> std::optional<std::string> {
         if (event.kind != "rebound") return std::nullopt;
-        const int a = species_of(*event.i), b = species_of(*event.j);
-        const auto law = std::ranges::find_if(scene.pairs, [&](const PairLaw& pair) {
-          return pair.species_a == std::min(a, b) && pair.species_b == std::max(a, b) && pair.friction;
-        });
-        if (law == scene.pairs.end() || event.dp.value().isZero(0)) return std::nullopt;
+        const PairLaw* law = pair_law(scene.pairs, species_of(*event.i), species_of(*event.j));
+        if (law == nullptr || !law->friction || event.dp.value().isZero(0)) return std::nullopt;
         return rubs_wrongly(scene, *law, event, u);
       }));
 }

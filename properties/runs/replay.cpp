@@ -1,4 +1,5 @@
 #include "properties/runs/replay.hpp"
+#include "reference/scene/pair_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,11 +75,7 @@ bool Replay::is_fixed(int i) const {
 
 const PairLaw* Replay::law(int i, int j) const {
   if (is_fixed(i) && is_fixed(j)) return nullptr;
-  const auto [a, b] = ordered(scene_->particles[at(i)].species, scene_->particles[at(j)].species);
-  const auto found = std::find_if(laws_.begin(), laws_.end(), [a = a, b = b](const PairLaw& l) {
-    return l.species_a == a && l.species_b == b;
-  });
-  return found == laws_.end() ? nullptr : &*found;
+  return pair_law(laws_, scene_->particles[at(i)].species, scene_->particles[at(j)].species);
 }
 
 bool Replay::tethered(int i, int j) const {

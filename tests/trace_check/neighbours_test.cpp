@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "reference/scene/pair_law.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace tps::check {
@@ -79,10 +80,8 @@ Followed follow(const Scene& scene, double speed, int length = 0, double start =
   const auto limit = [&](int i, int j) {
     const int a = scene.particles[static_cast<std::size_t>(i)].species;
     const int b = scene.particles[static_cast<std::size_t>(j)].species;
-    for (const PairLaw& law : scene.pairs) {
-      if (law.species_a == std::min(a, b) && law.species_b == std::max(a, b)) return law.blocking->distance;
-    }
-    return 0.0;
+    const PairLaw* law = pair_law(scene.pairs, a, b);
+    return law == nullptr ? 0.0 : law->blocking->distance;
   };
   Followed followed;
   const auto look = [&](int i, double now) {

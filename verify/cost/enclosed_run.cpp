@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reference/process/interrupt.hpp"
+#include "reference/scene/pair_law.hpp"
 #include "verify/cost/enclosed_pair.hpp"
 
 namespace tps::cost {
@@ -12,14 +13,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostParticles = 300;  ///< every pair is looked at
-
-const PairLaw* law_of(const Scene& scene, std::size_t i, std::size_t j) {
-  const int a = scene.particles[i].species, b = scene.particles[j].species;
-  const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const PairLaw& law) {
-    return law.species_a == std::min(a, b) && law.species_b == std::max(a, b);
-  });
-  return found == scene.pairs.end() ? nullptr : &*found;
-}
 
 /// What a pair may do next.
 struct Ahead {
@@ -84,7 +77,7 @@ class EnclosedScene {
   }
 
   void add_limits(std::size_t i, std::size_t j) {
-    const PairLaw* law = law_of(*scene_, i, j);
+    const PairLaw* law = pair_law(scene_->pairs, scene_->particles[i].species, scene_->particles[j].species);
     if (law == nullptr) return;
     if (law->blocking) {
       limits_.push_back({i, j, true, law->blocking->distance, law->blocking->c_rebound, 0, 0});

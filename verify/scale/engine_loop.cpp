@@ -1,6 +1,6 @@
-// The engine's loop alone, in double and in space, for called_for.py: SCENE
-// EVENTS. What callgrind counts is engine_loop(); printed are the bytes that
-// the run holds when the loop begins, and events a second of processor time.
+// The engine's loop alone, in double and in space, for called_for.py: SCENE EVENTS. What callgrind counts is
+// engine_loop(); printed are the bytes that the run holds when the loop begins, and events a second of
+// processor time.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -12,9 +12,8 @@
 #include "reference/engine/simulation.hpp"
 #include "reference/scene/read_scene.hpp"
 
-// Memory at multiples of 64 bytes from lists by size: what an allocation costs,
-// and what a copy costs by its alignment, depends on nothing that was allocated
-// before the loop.
+// Memory at multiples of 64 bytes from lists by size: what an allocation costs, and what a copy costs by its
+// alignment, depends on nothing that was allocated before the loop.
 namespace {
 
 constexpr std::size_t kUnit = 64, kSizes = 1024, kBlock = std::size_t{1} << 20;
