@@ -3,32 +3,18 @@
 
   messages_test.py TPS SOURCE LIBRARY_IN_FLOAT
 """
-import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-TPS, SOURCE, FLOAT = sys.argv[1:4]
-ADAPTERS = pathlib.Path(SOURCE) / "data/adapters/python"
-BROKEN = pathlib.Path(SOURCE) / "tests/properties/implementation.py"
+from asking import ADAPTERS, BROKEN, TPS, Asking, adapter
+
+FLOAT = sys.argv[3]
+asking = Asking(shrink_seconds=0)
+conform, report = asking.conform, asking.report
 FEATURES = ("--features", "no-groups,no-draws,no-phases,no-impulses")
-
-
-def adapter(name):
-    return ["--", sys.executable, "-B", str(ADAPTERS / f"{name}.py")]
-
-
-def conform(*words):
-    cases = [] if "--cases" in words else ["--cases", "5"]
-    done = subprocess.run([TPS, "conform", "--quiet", "--level", "1", *cases, "--shrink-seconds", "0", *words], capture_output=True, timeout=60)
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
-
-
-def report(*words):
-    code, out, _ = conform("--format", "json", *words)
-    return code, json.loads(out)
 
 
 class Classes(unittest.TestCase):

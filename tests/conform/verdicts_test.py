@@ -11,24 +11,11 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
-TPS, SOURCE, *LIBRARIES = sys.argv[1:]
-ADAPTERS = pathlib.Path(SOURCE) / "data/adapters/python"
-BROKEN = pathlib.Path(SOURCE) / "tests/properties/implementation.py"
+from asking import ADAPTERS, BROKEN, SOURCE, TPS, Asking, adapter
 
-
-def adapter(name):
-    return ["--", sys.executable, "-B", str(ADAPTERS / f"{name}.py")]
-
-
-def conform(*words):
-    cases = [] if "--cases" in words else ["--cases", "5"]
-    done = subprocess.run([TPS, "conform", "--quiet", "--level", "1", *cases, "--shrink-seconds", "0.1", *words], capture_output=True, timeout=60)
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
-
-
-def report(*words):
-    code, out, _ = conform("--format", "json", *words)
-    return code, json.loads(out)
+LIBRARIES = sys.argv[3:]
+asking = Asking(shrink_seconds=0.1)
+conform, report = asking.conform, asking.report
 
 
 class Profiles(unittest.TestCase):

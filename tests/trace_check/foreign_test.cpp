@@ -6,6 +6,7 @@
 #include "reference/scene/read_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/broken_trace.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "tests/trace_check/paper_loop.hpp"
 #include "tests/trace_check/scenes.hpp"
 #include "verify/scenes/gas.hpp"
@@ -17,12 +18,7 @@ namespace {
 using check::CheckOptions;
 using check::CheckReport;
 using check::Rule;
-
-CheckReport checked(const std::string& bytes, const CheckOptions& options = {}) {
-  const std::string path = testing::scratch("trace.ndjson");
-  testing::write_bytes(path, bytes);
-  return check::check_trace(path, options);
-}
+using testing::checked;
 
 CheckReport checked_case(const std::string& name) {
   return check::check_trace(TPS_SOURCE_DIR "/tests/trace_check/cases/" + name + ".ndjson");

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "tests/trace_check/matrix.hpp"
 #include "tests/trace_check/mutation.hpp"
 #include "tests/trace_check/scenes.hpp"
@@ -17,12 +18,7 @@ namespace {
 using check::CheckReport;
 using check::Finding;
 using check::Rule;
-
-CheckReport checked(const std::string& bytes) {
-  const std::string path = testing::scratch("trace.ndjson");
-  testing::write_bytes(path, bytes);
-  return check::check_trace(path);
-}
+using testing::checked;
 
 std::string findings_of(const CheckReport& report) {
   std::string text;

@@ -5,16 +5,14 @@
 
 #include <string>
 
-#include "tests/run/traced_run.hpp"
+#include "tests/trace_check/checked_trace.hpp"
 #include "tests/trace_check/edits.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::mutation {
 
 inline check::CheckReport checked(const Trace& trace) {
-  const std::string path = testing::scratch("turns.ndjson");
-  testing::write_bytes(path, text_of(trace));
-  return check::check_trace(path);
+  return testing::checked(text_of(trace));
 }
 
 inline std::string first_of(const check::CheckReport& report) {
