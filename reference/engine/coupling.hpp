@@ -90,11 +90,13 @@ void require_normal_impulses(const World<Scalar, D>& world, int i, int j, const 
 }
 
 /// The velocities of two bodies after their response, rounded so that their particles i and j leave each
-/// other the right way (D22). What that changes enters the ledger's bounds.
+/// other the right way (D22). What that changes enters the ledger's bounds. Out of line wherever it is used,
+/// so that a run without groups does not pay for those who group (docs/performance.md).
 template <typename Scalar, int D>
-PairVelocities<Scalar, D> directed_response(World<Scalar, D>& world, int i, int j, Limit limit,
-                                            const Scalar& mass_i, const Scalar& mass_j,
-                                            const PairVelocities<Scalar, D>& v) {
+[[gnu::noinline]] PairVelocities<Scalar, D> directed_response(World<Scalar, D>& world, int i, int j,
+                                                              Limit limit, const Scalar& mass_i,
+                                                              const Scalar& mass_j,
+                                                              const PairVelocities<Scalar, D>& v) {
   const Leaving leaving = limit == Limit::inner ? Leaving::apart : Leaving::together;
   const PairPlaces<Scalar, D> places = world.places(i, j);
   const PairVelocities<Scalar, D> result =
