@@ -46,10 +46,14 @@ template <typename Scalar, int D>
 class Coupling {
  public:
   virtual ~Coupling() = default;
+  Coupling(const Coupling&) = delete;
+  Coupling& operator=(const Coupling&) = delete;
   /// Whether two particles move as one: then they have no events with each other.
-  virtual bool together(int i, int j) const = 0;
+  bool together(int i, int j) const { return makes_bodies_ && share_body(i, j); }
   /// Mass of the body that a particle belongs to.
-  virtual Scalar body_mass(const World<Scalar, D>& world, int i) const = 0;
+  Scalar body_mass(const World<Scalar, D>& world, int i) const {
+    return makes_bodies_ ? mass_of_body(world, i) : world.mass(i);
+  }
   /// Answers a collision: takes its loss to the ledger, changes velocities and completes its record, which is
   /// still open.
   virtual void collide(World<Scalar, D>& world, const Collision<Scalar, D>& collision,
@@ -71,6 +75,18 @@ class Coupling {
   /// An impulse from outside on a particle, which acts on its whole body.
   virtual void push(World<Scalar, D>& world, int i, const Vector<Scalar, D>& impulse,
                     Record<Scalar, D>& record) = 0;
+
+ protected:
+  enum class Bodies { single, of_several };
+  explicit Coupling(Bodies bodies) : makes_bodies_(bodies == Bodies::of_several) {}
+
+ private:
+  // Asked of couplings with bodies of several particles alone: every pair is asked whether it moves as one,
+  // and where nobody does the answer is no call.
+  virtual bool share_body(int /*i*/, int /*j*/) const { return false; }
+  virtual Scalar mass_of_body(const World<Scalar, D>& world, int i) const { return world.mass(i); }
+
+  const bool makes_bodies_;
 };
 
 /// Throws OutOfRange where two particles are at one place, which has no axis.
@@ -110,9 +126,7 @@ template <typename Scalar, int D>
 template <typename Scalar, int D>
 class FreeCoupling : public Coupling<Scalar, D> {
  public:
-  bool together(int, int) const override { return false; }
-
-  Scalar body_mass(const World<Scalar, D>& world, int i) const override { return world.mass(i); }
+  FreeCoupling() : Coupling<Scalar, D>(Coupling<Scalar, D>::Bodies::single) {}
 
   void collide(World<Scalar, D>& world, const Collision<Scalar, D>& c, Record<Scalar, D>&) override {
     world.ledger.lost += c.loss;

@@ -21,17 +21,12 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   using Body = GroupBody<Scalar, D>;
 
   GroupCoupling(std::size_t particles, const Scalar& dt_restitute)
-      : forest_(particles), dt_restitute_(dt_restitute) {}
+      : Coupling<Scalar, D>(Coupling<Scalar, D>::Bodies::of_several),
+        forest_(particles),
+        dt_restitute_(dt_restitute) {}
 
   const GroupForest<Scalar, D>& forest() const { return forest_; }
   GroupForest<Scalar, D>& forest() { return forest_; }
-
-  bool together(int i, int j) const override { return forest_.together(i, j); }
-
-  Scalar body_mass(const World<Scalar, D>& world, int i) const override {
-    const Body* body = forest_.body(i);
-    return body != nullptr ? body->mass : world.mass(i);
-  }
 
   /// Loads two bodies (semantics §4): both take v_load, the node keeps Δp_AB, the whole tree gets a new
   /// expiry. An infinite mass stays outside, so that bodies grounded on it remain separate trees.
@@ -75,7 +70,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   void push(World<Scalar, D>& world, int i, const Vec& impulse, Record<Scalar, D>& record) override {
     const Body* body = forest_.body(i);
     const std::vector<int> members = body != nullptr ? body->members : std::vector<int>{i};
-    const Scalar mass = body_mass(world, i);
+    const Scalar mass = this->body_mass(world, i);
     require_normal_impulse<Scalar, D>(world.scene, i, impulse, mass, world.velocity(i));
     move_as_one(world, members, Vec(world.velocity(i) + impulse / mass), record);
     if (mass == std::numeric_limits<Scalar>::infinity()) world.ledger.add_from_walls(Vec(-impulse));
@@ -111,6 +106,13 @@ class GroupCoupling final : public Coupling<Scalar, D> {
   }
 
  private:
+  bool share_body(int i, int j) const override { return forest_.together(i, j); }
+
+  Scalar mass_of_body(const World<Scalar, D>& world, int i) const override {
+    const Body* body = forest_.body(i);
+    return body != nullptr ? body->mass : world.mass(i);
+  }
+
   /// |Δp_AB|²/2μ, what a load keeps for its restitution.
   static Scalar energy_kept(const Vec& dp, const Scalar& mu) {
     using std::ldexp;
