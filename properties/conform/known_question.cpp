@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "properties/conform/made_ahead.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/number_text.hpp"
 #include "verify/vectors/generate.hpp"
@@ -72,22 +73,31 @@ bool has_outer_collision(const Json& in) {
          });
 }
 
+Stratum made(const vectors::Stratum& family, const Selection& selection, const Format& format) {
+  Stratum stratum{family.op, family.name, family.why, {}};
+  const vectors::Extent extent = vectors::extent_of(family, selection.level, 0);
+  for (std::uint64_t n = extent.first; n < extent.first + extent.count; ++n) {
+    const NoForkMeanwhile here;
+    auto known = in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
+    if (!known || (!selection.outer_groups && has_outer_collision(known->at("in")))) continue;
+    stratum.cases.push_back(
+        {known->at("id").get<std::string>(), family.name, {family.op, known->at("in")}, std::move(*known)});
+  }
+  return stratum;
+}
+
 }  // namespace
 
 void for_known_questions(const Selection& selection, const Format& format,
                          const std::function<bool(Stratum)>& visit) {
+  std::vector<const vectors::Stratum*> wanted;
   for (const vectors::Stratum& family : vectors::strata()) {
-    if (!selection.wants_op(family.op) || !selection.wants_stratum(family.op + "." + family.name)) continue;
-    Stratum stratum{family.op, family.name, family.why, {}};
-    const vectors::Extent extent = vectors::extent_of(family, selection.level, 0);
-    for (std::uint64_t n = extent.first; n < extent.first + extent.count; ++n) {
-      auto known = in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
-      if (!known || (!selection.outer_groups && has_outer_collision(known->at("in")))) continue;
-      stratum.cases.push_back(
-          {known->at("id").get<std::string>(), family.name, {family.op, known->at("in")}, std::move(*known)});
-    }
-    if (!stratum.cases.empty() && !visit(std::move(stratum))) return;
+    if (selection.wants_op(family.op) && selection.wants_stratum(family.op + "." + family.name))
+      wanted.push_back(&family);
   }
+  for_each_made_ahead<Stratum>(
+      wanted.size(), [&](std::size_t n) { return made(*wanted[n], selection, format); },
+      [&](Stratum stratum) { return stratum.cases.empty() || visit(std::move(stratum)); });
 }
 
 }  // namespace tps::properties::conform

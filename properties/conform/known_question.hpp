@@ -32,10 +32,10 @@ struct Selection {
   bool outer_groups = true;                                       ///< groups with collisions at outer limits
 };
 
-/// Makes the selected strata one after the other, as long as `visit` says so. A format of fewer bits than
-/// double is asked about the nearest numbers that it has, and answers are those to these; what becomes no
-/// question, leaves the range of the format, or is a whole scene is left out. Law: (1) the same cases in
-/// every call.
+/// Makes the selected strata one after the other, as long as `visit` says so; on another thread, while
+/// `visit` is busy with those before. A format of fewer bits than double is asked about the nearest numbers
+/// that it has, and answers are those to these; what becomes no question, leaves the range of the format, or
+/// is a whole scene is left out. Law: (1) the same cases in every call.
 void for_known_questions(const Selection& selection, const Format& format,
                          const std::function<bool(Stratum)>& visit);
 
