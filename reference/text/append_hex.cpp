@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -26,37 +27,48 @@ std::array<char, 8> digits_of(std::uint32_t word) {
   return std::bit_cast<std::array<char, 8>>(x);
 }
 
-/// Writes ".…" with the digits of 4·16 bits, high word first, without trailing zeros; nothing for zero.
-char* put_fraction(char* out, std::uint64_t high, std::uint64_t low) {
-  if (high == 0 && low == 0) return out;
+/// Writes ".…" with the digits of 64 bits, most significant first, without trailing zeros; nothing for zero.
+/// Up to 17 bytes are touched.
+char* put_fraction(char* out, std::uint64_t bits) {
+  if (bits == 0) return out;
   *out++ = '.';
-  const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
-  const int count = 32 - zeros / 4;
-  char* to = out;
-  for (const std::uint64_t word : {high, low}) {
-    for (const unsigned shift : {32U, 0U}) {
-      if (to >= out + count) break;
-      const std::array<char, 8> eight = digits_of(static_cast<std::uint32_t>(word >> shift));
-      std::memcpy(to, eight.data(), eight.size());
-      to += eight.size();
-    }
+  for (const unsigned shift : {32U, 0U}) {
+    const std::array<char, 8> eight = digits_of(static_cast<std::uint32_t>(bits >> shift));
+    std::memcpy(out + (shift == 0 ? 8 : 0), eight.data(), eight.size());
   }
-  return out + count;
+  return out + 16 - std::countr_zero(bits) / 4;
 }
 
-/// Appends ±1.fraction · 2^exponent, the fraction being that of 128 bits.
-void append_number(std::string& text, bool negative, std::uint64_t high, std::uint64_t low, int exponent) {
-  std::array<char, 48> buffer;  // -0x1. and 32 digits, p±9999
-  char* out = buffer.data();
-  if (negative) *out++ = '-';
-  *out++ = '0';
-  *out++ = 'x';
-  *out++ = '1';
-  out = put_fraction(out, high, low);
+/// The same of 128 bits, high word first.
+char* put_fraction(char* out, std::uint64_t high, std::uint64_t low) {
+  if (low == 0) return put_fraction(out, high);
+  *out++ = '.';
+  for (const std::uint64_t word : {high, low}) {
+    for (const unsigned shift : {32U, 0U}) {
+      const std::array<char, 8> eight = digits_of(static_cast<std::uint32_t>(word >> shift));
+      std::memcpy(out, eight.data(), eight.size());
+      out += eight.size();
+    }
+  }
+  return out - std::countr_zero(low) / 4;
+}
+
+char* put_exponent(char* out, int exponent) {
   *out++ = 'p';
   *out++ = exponent < 0 ? '-' : '+';
-  out = std::to_chars(out, buffer.data() + buffer.size(), std::abs(exponent)).ptr;
-  text.append(buffer.data(), out);
+  const int size = std::abs(exponent);
+  if (size < 10) {
+    *out = static_cast<char>('0' + size);
+    return out + 1;
+  }
+  return std::to_chars(out, out + 4, size).ptr;
+}
+
+char* put_sign_and_lead(char* out, bool negative) {
+  *out = '-';
+  out += negative ? 1 : 0;
+  std::memcpy(out, "0x1", 3);
+  return out + 3;
 }
 
 struct Parts {
@@ -79,17 +91,19 @@ Parts parts_of(double x) {
 
 }  // namespace
 
-void append_hex(std::string& text, double x) {
+char* write_hex(char* to, double x) {
   if (!is_normal(x)) {
-    if (std::isinf(x)) {
-      text.append(x > 0 ? "inf" : "-inf");
-    } else {
-      text.append(join_hex(hex_digits(x)));
-    }
-    return;
+    const std::string spelt = std::isinf(x) ? (x > 0 ? "inf" : "-inf") : join_hex(hex_digits(x));
+    return std::copy(spelt.begin(), spelt.end(), to);
   }
   const Parts p = parts_of(x);
-  append_number(text, p.negative, p.fraction << (64 - kFractionBits), 0, p.exponent);
+  to = put_fraction(put_sign_and_lead(to, p.negative), p.fraction << (64 - kFractionBits));
+  return put_exponent(to, p.exponent);
+}
+
+void append_hex(std::string& text, double x) {
+  std::array<char, kLongestHex> buffer;
+  text.append(buffer.data(), write_hex(buffer.data(), x));
 }
 
 template <>
@@ -99,18 +113,15 @@ std::string to_hex<double>(const double& x) {
   return text;
 }
 
-void append_hex_sum(std::string& text, double hi, double lo) {
-  if (lo == 0 && hi != 0) return append_hex(text, hi);
+char* write_hex_sum(char* to, double hi, double lo) {
+  if (lo == 0 && hi != 0) return write_hex(to, hi);
   // hi is an integer of 53 bits in units of its last one, 64 bits behind it hold lo, if it ends there.
   const double head = hi + lo;
   const double rest = lo - (head - hi);
   const bool is_pair = head == hi && rest == lo && is_normal(hi) && hi > 0 && is_normal(lo);
   const int unit = is_pair ? parts_of(hi).exponent - kFractionBits : 0;
   const double scaled = is_pair ? std::ldexp(lo, 64 - unit) : 0;
-  if (scaled == 0 || std::abs(scaled) > 0x1p63 || scaled != std::trunc(scaled)) {
-    append_hex_sum<double>(text, hi, lo);
-    return;
-  }
+  if (scaled == 0 || std::abs(scaled) > 0x1p63 || scaled != std::trunc(scaled)) return nullptr;
   const Parts p = parts_of(hi);
   std::uint64_t high = p.fraction | (std::uint64_t{1} << kFractionBits);
   const auto magnitude = static_cast<std::uint64_t>(std::abs(scaled));
@@ -118,7 +129,17 @@ void append_hex_sum(std::string& text, double hi, double lo) {
   if (scaled < 0) --high;
   const int shift = std::countl_zero(high) + 1;  // drops the leading bit
   const std::uint64_t top = high << static_cast<unsigned>(shift) | low >> static_cast<unsigned>(64 - shift);
-  append_number(text, false, top, low << static_cast<unsigned>(shift), unit + 64 - shift);
+  to = put_fraction(put_sign_and_lead(to, false), top, low << static_cast<unsigned>(shift));
+  return put_exponent(to, unit + 64 - shift);
+}
+
+void append_hex_sum(std::string& text, double hi, double lo) {
+  std::array<char, kLongestHexSum> buffer;
+  if (const char* const end = write_hex_sum(buffer.data(), hi, lo)) {
+    text.append(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  } else {
+    append_hex_sum<double>(text, hi, lo);
+  }
 }
 
 }  // namespace tps

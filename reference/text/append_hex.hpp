@@ -3,13 +3,17 @@
 #pragma once
 
 #include <array>
-#include <charconv>
-#include <concepts>
+#include <cstddef>
 #include <string>
 
 #include "reference/text/hexfloat.hpp"
 
 namespace tps {
+
+/// Bytes that write_hex may touch.
+inline constexpr std::size_t kLongestHex = 32;
+/// Writes to_hex(x). @return behind its end
+char* write_hex(char* to, double x);
 
 /// Appends to_hex(x).
 template <typename Scalar>
@@ -29,14 +33,13 @@ void append_hex_sum(std::string& text, const Scalar& hi, const Scalar& lo) {
   text.append(join_hex(exact_sum(terms)));
 }
 void append_hex_sum(std::string& text, double hi, double lo);
+/// Bytes that write_hex_sum may touch.
+inline constexpr std::size_t kLongestHexSum = 48;
+/// Writes the same where two words hold its digits, as of nearly all times. @return behind its end; null, and
+/// nothing written, elsewhere
+char* write_hex_sum(char* to, double hi, double lo);
 inline void append_hex_sum(std::string& text, float hi, float lo) {
   append_hex_sum(text, static_cast<double>(hi), static_cast<double>(lo));
-}
-
-/// Appends an integer in decimal.
-void append_decimal(std::string& text, std::integral auto n) {
-  std::array<char, 24> digits;  // 2^64 has 20, and a sign
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), n).ptr);
 }
 
 }  // namespace tps

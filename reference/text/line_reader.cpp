@@ -28,7 +28,7 @@ bool wait_for_input(int descriptor, const std::function<bool()>& stop) {
   sigemptyset(&quiet);
   sigaddset(&quiet, SIGINT);
   sigaddset(&quiet, SIGTERM);
-  sigprocmask(SIG_BLOCK, &quiet, &before);
+  pthread_sigmask(SIG_BLOCK, &quiet, &before);
   bool stopped = stop();
   while (!stopped) {
     pollfd awaited{descriptor, POLLIN, 0};
@@ -36,7 +36,7 @@ bool wait_for_input(int descriptor, const std::function<bool()>& stop) {
     if (ready || errno != EINTR) break;
     stopped = stop();
   }
-  sigprocmask(SIG_SETMASK, &before, nullptr);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return !stopped;
 }
 
@@ -77,6 +77,7 @@ LineReader::Result LineReader::taken(std::size_t length, std::size_t end_length,
 LineReader::Filled LineReader::fill() {
   before_waiting_();
   buffer_.erase(0, begin_);
+  erased_ += begin_;
   begin_ = 0;
   while (true) {
     if (!wait_for_input(descriptor_, stop_)) return Filled::interrupted;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ class LineReader {
   /// Throws InputError where the system refuses to read (a directory, a closed descriptor).
   Result next();
 
+  /// Bytes before the next line.
+  std::uint64_t place() const { return erased_ + begin_; }
+
  private:
   enum class Filled { more, end, interrupted };
   Filled fill();
@@ -50,8 +54,9 @@ class LineReader {
   std::function<void()> before_waiting_;
   std::function<bool()> stop_;
   std::string buffer_;
-  std::size_t begin_ = 0;  ///< of what has not been handed out
-  std::string beginning_;  ///< of a line that is too long
+  std::size_t begin_ = 0;     ///< of what has not been handed out
+  std::uint64_t erased_ = 0;  ///< bytes that are no longer in the buffer
+  std::string beginning_;     ///< of a line that is too long
 };
 
 }  // namespace tps

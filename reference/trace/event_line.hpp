@@ -9,22 +9,26 @@
 #include "reference/scene/scene.hpp"
 #include "reference/text/append_hex.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/pen.hpp"
 
 namespace tps {
 
-/// Appends the exact time on the scene's clock, start_time + hi + lo, in as many digits as that takes.
+/// Writes the exact time on the scene's clock, start_time + hi + lo, in as many digits as that takes.
 template <typename Scalar>
-void append_time(std::string& line, double start_time, const Time<Scalar>& t) {
-  if (start_time == 0 && t.lo == Scalar(0)) return append_hex(line, t.hi);
-  if (start_time == 0) return append_hex_sum(line, t.hi, t.lo);
+void put_time(Pen& pen, double start_time, const Time<Scalar>& t) {
+  if (start_time == 0 && t.lo == Scalar(0)) return pen.put_hex(t.hi);
+  if (start_time == 0) return pen.put_hex_sum(t.hi, t.lo);
   const std::array<HexDigits, 3> terms = {hex_digits(start_time), hex_digits(t.hi), hex_digits(t.lo)};
-  line.append(join_hex(exact_sum(terms)));
+  pen.put_text(join_hex(exact_sum(terms)));
 }
 
 template <typename Scalar>
 std::string exact_time(double start_time, const Time<Scalar>& t) {
   std::string text;
-  append_time(text, start_time, t);
+  {
+    Pen pen(text);
+    put_time(pen, start_time, t);
+  }
   return text;
 }
 
@@ -53,59 +57,91 @@ std::string clock_member(const Scene& scene, const Time<Scalar>& now) {
 namespace detail {
 
 template <typename Scalar, int D>
-void append_vector(std::string& line, const Vector<Scalar, D>& v) {
+void put_vector(Pen& pen, const Vector<Scalar, D>& v) {
   for (int k = 0; k < D; ++k) {
-    line.append(k == 0 ? "[\"" : "\",\"");
-    append_hex(line, v[k]);
+    if (k == 0) {
+      pen.put("[\"");
+    } else {
+      pen.put("\",\"");
+    }
+    pen.put_hex(Scalar(v[k]));
   }
-  line.append("\"]");
+  pen.put("\"]");
 }
 
 template <typename Scalar>
-void append_spin(std::string& line, const std::vector<Scalar>& spin) {
-  const char* separator = ",\"spin\":[\"";
+void put_spin(Pen& pen, const std::vector<Scalar>& spin) {
+  std::string_view separator = ",\"spin\":[\"";
   for (const Scalar& x : spin) {
-    line.append(separator);
-    append_hex(line, x);
+    pen.put_text(separator);
+    pen.put_hex(x);
     separator = "\",\"";
   }
-  line.append("\"]");
+  pen.put("\"]");
 }
 
 /// {"0":{"position":[…],"velocity":[…]},…}, velocities before or after the event.
 template <typename Scalar, int D>
-void append_states(std::string& line, const Scene& scene, const Record<Scalar, D>& record, bool after_event) {
+void put_states(Pen& pen, const Scene& scene, const Record<Scalar, D>& record, bool after_event) {
   char separator = '{';
   for (const ParticleChange<Scalar, D>& change : record.involved) {
-    line.push_back(separator);
-    line.push_back('"');
-    append_decimal(line, scene.particles[static_cast<std::size_t>(change.particle)].id);
-    line.append("\":{\"position\":");
-    append_vector<Scalar, D>(line, change.position);
-    line.append(",\"velocity\":");
-    append_vector<Scalar, D>(line, after_event ? change.velocity_after : change.velocity_before);
+    pen.put(separator);
+    pen.put('"');
+    pen.put_natural(scene.particles[static_cast<std::size_t>(change.particle)].id);
+    pen.put("\":{\"position\":");
+    put_vector<Scalar, D>(pen, change.position);
+    pen.put(",\"velocity\":");
+    put_vector<Scalar, D>(pen, after_event ? change.velocity_after : change.velocity_before);
     if (record.addition != nullptr) {
       for (const SpinChange<Scalar>& spin : record.addition->spins) {
-        if (spin.particle == change.particle) append_spin(line, after_event ? spin.after : spin.before);
+        if (spin.particle == change.particle) put_spin(pen, after_event ? spin.after : spin.before);
       }
     }
-    line.push_back('}');
+    pen.put('}');
     separator = ',';
   }
-  line.push_back('}');
+  pen.put('}');
 }
 
-/// ,"key":number
-inline void append_member(std::string& line, const char* key, std::integral auto number) {
-  line.append(",\"").append(key).append("\":");
-  append_decimal(line, number);
+template <std::size_t N>
+void put_member(Pen& pen, const char (&key)[N], std::integral auto number) {
+  pen.put(key);
+  pen.put_natural(number);
+}
+
+template <typename Scalar, int D, std::size_t N>
+void put_member(Pen& pen, const char (&key)[N], const std::optional<Vector<Scalar, D>>& v) {
+  if (!v) return;
+  pen.put(key);
+  put_vector<Scalar, D>(pen, *v);
 }
 
 template <typename Scalar, int D>
-void append_member(std::string& line, const char* key, const std::optional<Vector<Scalar, D>>& v) {
-  if (!v) return;
-  line.append(",\"").append(key).append("\":");
-  append_vector<Scalar, D>(line, *v);
+void put_times(Pen& pen, const Scene& scene, const Record<Scalar, D>& record) {
+  pen.put(",\"t\":\"");
+  if (scene.drag) {
+    pen.put_text(time_of(scene, record.t));
+    pen.put('"');
+    pen.put_text(clock_member(scene, record.t));
+    pen.put(",\"ds\":\"");
+  } else {
+    put_time(pen, scene.start_time, record.t);
+    pen.put("\",\"dt\":\"");
+  }
+  pen.put_hex(record.dt);
+  pen.put('"');
+}
+
+inline void put_members(Pen& pen, const Scene& scene, const std::vector<int>& members) {
+  if (members.empty()) return;
+  pen.put(",\"members\":");
+  char separator = '[';
+  for (const int m : members) {
+    pen.put(separator);
+    pen.put_natural(scene.particles[static_cast<std::size_t>(m)].id);
+    separator = ',';
+  }
+  pen.put(']');
 }
 
 }  // namespace detail
@@ -114,56 +150,41 @@ void append_member(std::string& line, const char* key, const std::optional<Vecto
 template <typename Scalar, int D>
 void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>& record) {
   const auto id = [&](int i) { return scene.particles[static_cast<std::size_t>(i)].id; };
-  line.append("{\"k\":");
-  append_decimal(line, record.k);
-  line.append(",\"t\":\"");
-  if (scene.drag) {
-    line.append(time_of(scene, record.t)).append("\"").append(clock_member(scene, record.t));
-    line.append(",\"ds\":\"");
-  } else {
-    append_time(line, scene.start_time, record.t);
-    line.append("\",\"dt\":\"");
+  const Addition<Scalar, D>* const added = record.addition;
+  Pen pen(line);
+  detail::put_member(pen, "{\"k\":", record.k);
+  detail::put_times(pen, scene, record);
+  pen.put(",\"kind\":\"");
+  pen.put_text(record.kind);
+  pen.put('"');
+  if (added != nullptr) {
+    if (added->phase) detail::put_member(pen, ",\"phase\":", *added->phase);
+    if (added->wall) detail::put_member(pen, ",\"wall\":", *added->wall);
+    if (added->face) detail::put_member(pen, ",\"face\":", *added->face);
   }
-  append_hex(line, record.dt);
-  line.append("\",\"kind\":\"").append(record.kind).append("\"");
-  if (const Addition<Scalar, D>* added = record.addition) {
-    if (added->phase) detail::append_member(line, "phase", *added->phase);
-    if (added->wall) detail::append_member(line, "wall", *added->wall);
-    if (added->face) detail::append_member(line, "face", *added->face);
-  }
-  if (record.i >= 0) detail::append_member(line, "i", id(record.i));
-  if (record.j >= 0 && record.j != record.i) detail::append_member(line, "j", id(record.j));
+  if (record.i >= 0) detail::put_member(pen, ",\"i\":", id(record.i));
+  if (record.j >= 0 && record.j != record.i) detail::put_member(pen, ",\"j\":", id(record.j));
   if (!record.involved.empty()) {
-    line.append(",\"pre\":");
-    detail::append_states<Scalar, D>(line, scene, record, false);
-    line.append(",\"post\":");
-    detail::append_states<Scalar, D>(line, scene, record, true);
+    pen.put(",\"pre\":");
+    detail::put_states<Scalar, D>(pen, scene, record, false);
+    pen.put(",\"post\":");
+    detail::put_states<Scalar, D>(pen, scene, record, true);
   }
-  detail::append_member<Scalar, D>(line, "dp", record.dp);
-  if (const Addition<Scalar, D>* added = record.addition) {
-    detail::append_member<Scalar, D>(line, "dv", added->dv);
-    detail::append_member<Scalar, D>(line, "dp_stored", added->dp_stored);
-    if (added->sticks) line.append(*added->sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
+  detail::put_member<Scalar, D>(pen, ",\"dp\":", record.dp);
+  if (added != nullptr) {
+    detail::put_member<Scalar, D>(pen, ",\"dv\":", added->dv);
+    detail::put_member<Scalar, D>(pen, ",\"dp_stored\":", added->dp_stored);
+    if (added->sticks) pen.put_text(*added->sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
   }
-  if (record.tether != TetherChange::none) {
-    line.append(record.tether == TetherChange::formed ? ",\"tether\":\"formed\"" : ",\"tether\":\"broken\"");
-  }
+  if (record.tether == TetherChange::formed) pen.put(",\"tether\":\"formed\"");
+  if (record.tether == TetherChange::broken) pen.put(",\"tether\":\"broken\"");
   if (record.draw) {
-    line.append(",\"draw\":\"");
-    append_hex(line, *record.draw);
-    line.push_back('"');
+    pen.put(",\"draw\":\"");
+    pen.put_hex(*record.draw);
+    pen.put('"');
   }
-  if (record.addition != nullptr && !record.addition->members.empty()) {
-    char separator = '[';
-    line.append(",\"members\":");
-    for (const int m : record.addition->members) {
-      line.push_back(separator);
-      append_decimal(line, id(m));
-      separator = ',';
-    }
-    line.push_back(']');
-  }
-  line.append("}\n");
+  if (added != nullptr) detail::put_members(pen, scene, added->members);
+  pen.put("}\n");
 }
 
 }  // namespace tps

@@ -32,25 +32,31 @@ TEST(Hexfloat, SpellsAsPrintfDoes) {
   EXPECT_EQ(to_hex(4.9406564584124654e-324), "0x1p-1074");
 }
 
-/// Of random bits, of short numbers, of the edges of the range.
+/// Spelt digit by digit, which shares no code with write_hex.
+std::string spelt(double x) {
+  return std::isinf(x) ? (x > 0 ? "inf" : "-inf") : join_hex(hex_digits(x));
+}
+
+/// Of random bits, of short numbers, of subnormal ones, of the edges of the range.
 TEST(Hexfloat, AppendsAsItSpells) {
   std::mt19937_64 bits(2);
-  for (int n = 0; n < 20000; ++n) {
+  for (int n = 0; n < 40000; ++n) {
     double x = std::bit_cast<double>(bits());
     if (n % 3 == 0) x = std::ldexp(double(bits() % 4096), int(bits() % 100) - 50);
+    if (n % 16 == 1) x = std::bit_cast<double>(bits() & 0x801f'ffff'ffff'ffffU);
     if (std::isnan(x)) continue;
     std::string text = "x";
     append_hex(text, x);
-    ASSERT_EQ(text, "x" + to_hex(x));
+    ASSERT_EQ(text, "x" + spelt(x));
     text.clear();
     append_hex(text, static_cast<float>(x));
-    ASSERT_EQ(text, to_hex(static_cast<float>(x)));
+    ASSERT_EQ(text, spelt(static_cast<float>(x)));
   }
   for (const double x :
        {0.0, -0.0, 1.0, HUGE_VAL, -HUGE_VAL, 0x1p-1022, 0x1p-1074, 0x1.fffffffffffffp+1023}) {
     std::string text;
     append_hex(text, x);
-    EXPECT_EQ(text, to_hex(x));
+    EXPECT_EQ(text, spelt(x));
   }
 }
 
