@@ -55,6 +55,24 @@ TEST(CheckState, StatesOfRunsHaveNothingWrong) {
   }
 }
 
+/// A space before a key is another spelling of the same state, which the reader of all JSON reads.
+TEST(ReadState, IsOneStateInEverySpelling) {
+  for (const ScalarKind scalar : {ScalarKind::double_, ScalarKind::float_, ScalarKind::mp100}) {
+    int with_pairs = 0;
+    for (const StateData& state : states_of(busy_scene(.05), scalar, 60)) {
+      const std::string line = write_state(state, state.t);
+      const std::string spaced = "{ " + line.substr(1);
+      const StateData own = read_state(line), other = read_state(spaced);
+      EXPECT_EQ(write_state(own, own.t), line);
+      EXPECT_EQ(write_state(other, other.t), line);
+      EXPECT_EQ(own.checksum, StateData::Checksum::right);
+      EXPECT_EQ(other.checksum, StateData::Checksum::right);
+      with_pairs += own.responded.empty() ? 0 : 1;
+    }
+    EXPECT_GT(with_pairs, 3);
+  }
+}
+
 /// A change that leaves a state which no run of the scene has; nothing where there is nothing to change.
 struct Lie {
   const char* name;
@@ -244,6 +262,11 @@ TEST(ReadState, IsStrict) {
             std::string::npos);
   EXPECT_EQ(refusal("{\"state\":", " { \"state\" : "), "accepted") << "spaces are not content";
   EXPECT_EQ(refusal("\"#zero_impulse\":0", "\"#zero_impulse\":1"), "checksum");
+  EXPECT_EQ(refusal("\"particles\":[{\"id\":0", "\"particles\":[{\"id\":7"), "checksum");
+  EXPECT_NE(refusal("\"particles\":[{\"id\":0", "\"particles\":[{\"id\":00").find("state:1"),
+            std::string::npos);
+  EXPECT_NE(refusal("\"velocity\":[\"", "\"velocity\":[\"0y").find("is not a hexadecimal float"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -181,12 +181,13 @@ Scene long_gas() {
   return build_gas({.particles = 60, .density = .3, .restitution = 1, .duration = 1e6, .seed = 3});
 }
 
-std::string trace_bytes(const Scene& scene, const std::string& scalar, Timing timing, std::uint64_t events) {
+std::string trace_bytes(const Scene& scene, const std::string& scalar, Timing timing, std::uint64_t events,
+                        std::uint64_t state_every) {
   certified::ExactTiming certifier;
   RunOptions options = testing::options_for(scalar, events);
   options.timing = timing;
   options.certifier = &certifier;
-  options.state_every = 75;
+  options.state_every = state_every;
   return testing::traced(scene, options).bytes;
 }
 

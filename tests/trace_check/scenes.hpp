@@ -27,6 +27,7 @@ bool stands_still(const std::string& name);
 Scene long_gas();
 
 /// The bytes of a scene's trace.
-std::string trace_bytes(const Scene& scene, const std::string& scalar, Timing timing, std::uint64_t events);
+std::string trace_bytes(const Scene& scene, const std::string& scalar, Timing timing, std::uint64_t events,
+                        std::uint64_t state_every = 75);
 
 }  // namespace tps::mutation

@@ -25,6 +25,12 @@ class BelowRounding {
     if (count_++ == 0) first_ = c.model.events + 1;
   }
 
+  /// Takes over what was counted behind it.
+  void take_over(const BelowRounding& later) {
+    if (count_ == 0) first_ = later.first_;
+    count_ += later.count_;
+  }
+
   std::optional<std::string> note() const {
     if (count_ == 0) return std::nullopt;
     return fmt::format(

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "reference/run/run.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "verify/trace_check/judge_lines.hpp"
+#include "verify/trace_check/parallel_judge.hpp"
 #include "verify/trace_check/trace_input.hpp"
 
 namespace tps::check {
@@ -24,6 +26,7 @@ CheckReport start_report(const std::string& path, const TraceFileHead& head, dou
   report.tolerance = tolerance;
   for (const RuleFacts& facts : kRuleFacts)
     report.rules[static_cast<std::size_t>(facts.rule)].rule = facts.rule;
+  report.lines = 1;
   return report;
 }
 
@@ -60,6 +63,45 @@ void judge_header(Tally& tally, const TraceFileHead& head, const CheckOptions& o
   if (head.minimal) say_what_minimal_leaves_out(tally, head);
 }
 
+/// One way to take a trace, and what comes of it.
+struct Way {
+  Way(const TraceFacts& facts, const CheckReport& begun, std::uint64_t max_reports)
+      : parts{facts, begun, max_reports}, all(begun, max_reports) {}
+
+  JudgeParts parts;
+  Judged all;
+};
+
+MakeJudge maker_of_judges(const JudgeParts& parts, const std::string& scalar) {
+  return [&parts, scalar](std::string_view state, std::uint64_t number) {
+    if (scalar == "float" || scalar == "double")
+      return judge_of_doubles(parts, scalar == "float", state, number);
+    return judge_of_wide(parts, scalar, state, number);
+  };
+}
+
+/// Reads and judges line by line.
+void judge_in_turn(TraceInput& input, Borders borders, const std::vector<std::unique_ptr<Way>>& ways,
+                   const std::function<void(std::uint64_t events)>& progress) {
+  constexpr std::uint64_t kLinesBetweenReports = 4096;
+  std::vector<std::unique_ptr<LineJudge>> judges;
+  for (const auto& way : ways) judges.push_back(maker_of_judges(way->parts, way->all.report.scalar)("", 0));
+  LineText line;
+  while (input.next(line)) {
+    const bool is_at_border = borders.is_at(line);
+    for (std::size_t n = 0; n < ways.size(); ++n) {
+      judges[n]->judge(line, input.lines());
+      const std::unique_ptr<Judged> ended = is_at_border ? judges[n]->end_segment() : nullptr;
+      if (ended) ways[n]->all.take_over(*ended);
+    }
+    if (progress && input.lines() % kLinesBetweenReports == 0) progress(ways.front()->all.report.events);
+  }
+  for (std::size_t n = 0; n < ways.size(); ++n) {
+    ways[n]->all.report.lines = input.lines();
+    ways[n]->all.take_over(*judges[n]->close(input.lines()));
+  }
+}
+
 }  // namespace
 
 CheckReport check_trace(const std::string& path, const CheckOptions& options) {
@@ -68,48 +110,42 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
   TraceInput input(path, options.scene, stop);
   const TraceFileHead& head = input.head();
 
-  CheckReport report = start_report(path, head, options.tolerance);
-  report.lines = 1;
-  CheckReport eager_report = report;
-  Tally tally(report, options.tolerance, options.max_reports);
-  Tally eager_tally(eager_report, options.tolerance, options.max_reports);
+  const CheckReport begun = start_report(path, head, options.tolerance);
   const TraceFacts facts{.scene = head.scene,
                          .timing = head.timing,
                          .minimal = head.minimal,
                          .semantics = head.semantics,
                          .eager = head.positions == "eager",
                          .own_draws = head.own_draws && !options.trust_draws};
-  std::vector<Judgement> ways = {{facts, tally, report}};
+  std::vector<std::unique_ptr<Way>> ways;
+  ways.push_back(std::make_unique<Way>(facts, begun, options.max_reports));
   if (head.minimal && head.positions.empty()) {
-    ways.push_back({facts, eager_tally, eager_report});
-    ways.back().facts.eager = true;
+    ways.push_back(std::make_unique<Way>(facts, begun, options.max_reports));
+    ways.back()->parts.facts.eager = true;
   }
-  for (const Judgement& way : ways) judge_header(way.tally, head, options);
+  for (const auto& way : ways) judge_header(way->all.tally, head, options);
 
-  LineSource source{[&](LineSource::Text& line) {
-    const bool more = input.next(line);
-    report.lines = input.lines();
-    constexpr std::uint64_t kLinesBetweenReports = 4096;
-    if (more && options.progress && report.lines % kLinesBetweenReports == 0)
-      options.progress({input.bytes(), report.events});
-    return more;
-  }};
-  if (head.scalar == "float") {
-    judge_lines<double>(source, ways, {0x1p-24L, 0x1p-149L, 24, true});
-  } else if (head.scalar == "double") {
-    judge_lines<double>(source, ways, {0x1p-53L, 0x1p-1074L, 53, false});
+  const auto progress = [&](std::uint64_t events) {
+    if (options.progress) options.progress({input.bytes(), events});
+  };
+  const Borders borders(!facts.minimal && !facts.eager, options.segment_lines);
+  const unsigned jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  if (jobs == 1 || facts.minimal || facts.eager) {
+    judge_in_turn(input, borders, ways, progress);
   } else {
-    judge_wide_lines(source, ways, head.scalar);
+    Segments segments(input, borders, options.segment_bytes);
+    judge_in_parallel(segments, maker_of_judges(ways.front()->parts, head.scalar), {jobs, stop, progress},
+                      ways.front()->all);
   }
-  for (const Judgement& way : ways) way.tally.close_sums();
-  if (ways.size() > 1 && explains_more(report, eager_report)) {
-    eager_report.lines = report.lines;
-    report = std::move(eager_report);
+  for (const auto& way : ways) way->all.close(way->parts.facts);
+  CheckReport& report = ways.front()->all.report;
+  if (ways.size() > 1 && explains_more(report, ways.back()->all.report)) {
+    report = std::move(ways.back()->all.report);
     report.notes.emplace_back(kTakenAsEager);
   }
-  report.interrupted = input.interrupted();
+  report.interrupted = input.interrupted() || stop();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
+  return std::move(report);
 }
 
 }  // namespace tps::check

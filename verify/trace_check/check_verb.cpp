@@ -106,6 +106,11 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option("--max-reports", a->options.max_reports, "Findings shown in full, for each rule")
       ->check(integer_from(0, "a number of findings"))
       ->capture_default_str();
+  verb->add_option("--jobs", a->options.jobs,
+                   "Threads that judge a trace in segments from its full states; 0: one a processor. The "
+                   "report is the same")
+      ->check(CLI::Range(0U, 1024U))
+      ->capture_default_str();
   verb->add_option("--format", a->format)
       ->check(CLI::IsMember({"text", "json", "junit"}))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include "verify/trace_check/below_rounding.hpp"
 #include "verify/trace_check/neighbours.hpp"
 #include "verify/trace_check/paths.hpp"
+#include "verify/trace_check/restored_model.hpp"
 #include "verify/trace_check/rules/bystanders.hpp"
 #include "verify/trace_check/rules/contact.hpp"
 #include "verify/trace_check/rules/drag.hpp"
@@ -25,12 +26,32 @@
 
 namespace tps::check {
 
+/// When everybody began to wait: what of a segment of a trace the next one needs and no full state holds.
+template <typename Number>
+struct Waits {
+  Border<Number> border;
+  StepNumber step = 0;
+  std::vector<StepNumber> changed_at;  ///< the step in which a particle began its flight; walls: none
+  StepNumber phase_at = 0;             ///< the step of the last one
+  std::map<std::pair<Kind, int>, StepNumber> kick_at;  ///< likewise; of random ones by particle, else −1
+};
+
+/// Where a check begins that does not begin at the start.
+template <typename Number>
+struct TakenUp {
+  const StateData& state;
+  const Waits<Number>* waits;  ///< null: not known
+};
+
 template <typename Number>
 class Checker {
  public:
   using W = Work<Number>;
 
-  Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally);
+  /// From the start of the scene or, where `taken_up` is given, from a full state. Throws std::exception
+  /// where that is no state of the scene.
+  Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally,
+          const std::optional<TakenUp<Number>>& taken_up = std::nullopt);
 
   Checker(const Checker&) = delete;
   Checker& operator=(const Checker&) = delete;
@@ -41,7 +62,15 @@ class Checker {
   /// The trace is over; without an end it was cut off.
   void close();
 
+  /// Whether another check can go on from the full state that has just been taken, and does not begin before
+  /// it: then everybody has been asked up to there. (docs/check.md, "Segments")
+  bool ends_segment();
+  Waits<Number> waits() const;
+  /// Whether a verdict hung on what `taken_up` left out.
+  bool needed_before() const { return turns_.needed_before(); }
+
   const Model<Number>& model() const { return model_; }
+  const BelowRounding& below_rounding() const { return below_rounding_; }
   std::uint64_t exact_comparisons() const { return exact_.counters().order.uncertain; }
 
  private:
@@ -55,6 +84,8 @@ class Checker {
   void take_turn(const EventLine<Number>& event);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
 
+  static std::optional<Border<Number>> border_of(const std::optional<TakenUp<Number>>& taken_up,
+                                                 const Precision<Number>& precision);
   void make_agendas(const TraceFacts& facts);
   Told told_of(int i, int j) const;
   void note_told(int i, int j, const Told& told);
@@ -95,18 +126,17 @@ class Checker {
   std::vector<std::vector<int>> permanent_;     ///< partners by a permanent tether, by particle
   std::vector<std::optional<Agenda>> agendas_;  ///< of particles with very many of these, by particle
   std::vector<int> with_agenda_;
-  std::array<double, 3> edges_{};  ///< of a periodic box; 0 along an open axis
-  StepNumber step_ = 0;
-  std::vector<StepNumber> changed_at_;  ///< the step in which a particle began its flight; walls: none
-  StepNumber phase_at_ = 0;             ///< the step of the last one
-  std::map<std::pair<Kind, int>, StepNumber> kick_at_;  ///< likewise; of random ones by particle, else −1
-  std::vector<std::size_t> looks_;                      ///< at others, by particle, while anchors are renewed
+  std::array<double, 3> edges_{};   ///< of a periodic box; 0 along an open axis
+  Waits<Number> waits_;             ///< but for its border
+  std::vector<std::size_t> looks_;  ///< at others, by particle, while anchors are renewed
   bool earliest_held_ = true, bounds_held_ = true;
   /// What has been said about pairs, by particle, during its present flight.
   std::vector<std::map<int, Told>> told_;
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
   BelowRounding below_rounding_;
+  bool own_draws_;
+  bool state_holds_ = false;  ///< the last full state is what the events made
   bool ended_ = false;
 };
 

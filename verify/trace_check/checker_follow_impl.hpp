@@ -127,7 +127,7 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
   model_.now = event.t;
   for (const int i : changed) {
     if (model_.fixed(i)) continue;
-    changed_at_[Model<Number>::at(i)] = step_;
+    waits_.changed_at[Model<Number>::at(i)] = waits_.step;
     told_[Model<Number>::at(i)].clear();
     for (const int whose : with_agenda_) agendas_[Model<Number>::at(whose)]->begins_flight(i);
     place(i, event.t);

@@ -6,12 +6,13 @@
 namespace tps::check {
 
 template <typename Number>
-Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally)
+Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally,
+                         const std::optional<TakenUp<Number>>& taken_up)
     : model_(facts.scene, precision),
       tally_(tally),
       timing_(facts.timing),
       minimal_(facts.minimal),
-      turns_(exact_),
+      turns_(exact_, border_of(taken_up, precision)),
       context_{model_,
                tally_,
                timing_,
@@ -24,11 +25,16 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
       neighbours_(facts.scene, as_double(precision.u)),
       permanent_(facts.scene.particles.size()),
       agendas_(facts.scene.particles.size()),
-      changed_at_(facts.scene.particles.size(), 0),
       looks_(facts.scene.particles.size(), 0),
-      told_(facts.scene.particles.size()) {
+      told_(facts.scene.particles.size()),
+      own_draws_(facts.own_draws) {
   const Scene& scene = facts.scene;
   model_.eager = facts.eager;
+  waits_.changed_at.resize(scene.particles.size(), 0);
+  if (taken_up) {
+    restore(model_, taken_up->state, own_draws_);
+    if (taken_up->waits != nullptr) waits_ = *taken_up->waits;
+  }
   for (std::size_t k = 0; model_.edges && k < 3; ++k) edges_[k] = as_double((*model_.edges)[k]);
   std::vector<std::vector<int>> of_species(scene.species.size());
   for (int n = 0; n < model_.size(); ++n) {
@@ -41,9 +47,31 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
         if (j != i) permanent_[static_cast<std::size_t>(i)].push_back(j);
       }
     }
-    place(i, {});
+    place(i, model_.now);
   }
   make_agendas(facts);
+}
+
+template <typename Number>
+std::optional<Border<Number>> Checker<Number>::border_of(const std::optional<TakenUp<Number>>& taken_up,
+                                                         const Precision<Number>& precision) {
+  if (!taken_up) return std::nullopt;
+  if (taken_up->waits != nullptr) return taken_up->waits->border;
+  return Turns<Number>::unknown_border(instant_in_state<Number>(taken_up->state.last_event), precision);
+}
+
+template <typename Number>
+bool Checker<Number>::ends_segment() {
+  if (ended_ || !state_holds_ || !is_whole_in_state(model_, own_draws_)) return false;
+  judge_until_end(model_.now, Until::last_event);
+  return std::ranges::all_of(told_, [](const std::map<int, Told>& told) { return told.empty(); });
+}
+
+template <typename Number>
+Waits<Number> Checker<Number>::waits() const {
+  Waits<Number> waits = waits_;
+  waits.border = turns_.border_here(waits_.step, model_.now, model_.precision);
+  return waits;
 }
 
 /// For those who never begin another flight and have so many partners that an event should not ask them all.
@@ -126,19 +154,21 @@ template <typename Number>
 void Checker<Number>::take_turn(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
   if (!model_.groups.parting().empty()) return;
-  ++step_;
+  ++waits_.step;
   const Turn<Number> turn = turn_of_event(event);
-  const auto changed_at = [this](int i) { return i < 0 ? StepNumber(0) : changed_at_[Model<Number>::at(i)]; };
+  const auto changed_at = [this](int i) {
+    return i < 0 ? StepNumber(0) : waits_.changed_at[Model<Number>::at(i)];
+  };
   StepNumber since = std::max(changed_at(turn.first), changed_at(turn.second));
-  if (is_phase(event.kind)) since = std::exchange(phase_at_, step_);
+  if (is_phase(event.kind)) since = std::exchange(waits_.phase_at, waits_.step);
   if (is_outside(event.kind)) {
     const bool is_random = is_kick(event.kind) &&
                            event.kind != Kind::scheduled_impulse;  // each particle's own waits from its last
-    since = std::exchange(kick_at_[{event.kind, is_random ? event.i : -1}], step_);
+    since = std::exchange(waits_.kick_at[{event.kind, is_random ? event.i : -1}], waits_.step);
   }
   if (event.t < model_.now) turns_.forget();
-  judge_turn(c, event, turn, turns_.latest_since(since));
-  turns_.happened(step_, turn);
+  judge_turn(c, event, turn, since);
+  turns_.happened(waits_.step, turn);
   judge_known_events(c, event, turn);
 }
 
@@ -260,12 +290,11 @@ void Checker<Number>::take(const StateLine<Number>& state) {
   }
   const Context<Number>& c = context_;
   if (minimal_) return;
-  StateJudge<Number>(c, state).judge();
+  state_holds_ = StateJudge<Number>(c, state).judge();
 }
 
 template <typename Number>
 void Checker<Number>::close() {
-  if (const std::optional<std::string> note = below_rounding_.note()) tally_.note(*note);
   tally_.demand(Rule::end, ended_, [](Finding& f) {
     f.message =
         "the trace has no end: the run was killed, or could not write; everything up to here was judged";

@@ -83,8 +83,9 @@ void Checker<Number>::ask(int i, int j, const Instant<Number>& until, const Happ
   const int a = std::min(i, j);
   const int b = std::max(i, j);
   Told told = told_of(a, b);
-  const StepNumber since = std::max(changed_at_[Model<Number>::at(a)], changed_at_[Model<Number>::at(b)]);
-  const Asked asked = judge_pair(context_, a, b, until, turns_.latest_since(since), happening, told);
+  const StepNumber since =
+      std::max(waits_.changed_at[Model<Number>::at(a)], waits_.changed_at[Model<Number>::at(b)]);
+  const Asked asked = judge_pair(context_, a, b, until, since, happening, told);
   earliest_held_ = earliest_held_ && asked.earliest;
   bounds_held_ = bounds_held_ && asked.bounds;
   if (!asked.earliest || !asked.bounds) note_told(a, b, told);
@@ -118,13 +119,13 @@ template <typename Number>
 void Checker<Number>::judge_at_walls(int i, const Instant<Number>& until,
                                      const Happening<Number>& happening) {
   if (model_.fixed(i)) return;
-  const Turn<Number>* latest = turns_.latest_since(changed_at_[Model<Number>::at(i)]);
+  const StepNumber since = waits_.changed_at[Model<Number>::at(i)];
   std::map<int, Told>& told = told_[Model<Number>::at(i)];
   for (std::size_t n = 0; n < model_.walls.size(); ++n) {
     const int key = -1 - static_cast<int>(n);
     const auto found = told.find(key);
     Told said = found == told.end() ? Told{} : found->second;
-    const Asked asked = judge_wall_flight(context_, i, n, until, latest, happening, said);
+    const Asked asked = judge_wall_flight(context_, i, n, until, since, happening, said);
     earliest_held_ = earliest_held_ && asked.earliest;
     bounds_held_ = bounds_held_ && asked.bounds;
     if (!asked.earliest || !asked.bounds) told[key] = said;

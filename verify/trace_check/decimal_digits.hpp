@@ -30,6 +30,16 @@ class DecimalDigits {
     seen.push_back(x);
   }
 
+  /// As if what was added to another one had been added here.
+  void take_over(const DecimalDigits& other) {
+    for (std::size_t kind = 0; kind < seen_.size(); ++kind) {
+      const std::vector<double>& others = other.seen_[kind];
+      const std::size_t room = kAtMost - seen_[kind].size();
+      const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(room, others.size()));
+      seen_[kind].insert(seen_[kind].end(), others.begin(), end);
+    }
+  }
+
   /// What to do about it, where nine numbers in ten of a kind, and eight of them, have few digits.
   std::optional<std::string> advice() const {
     static constexpr std::array<std::string_view, 3> kNames = {"times", "velocities", "positions"};

@@ -1,28 +1,41 @@
-// judge_lines, included by the instantiating sources only.
+// LineJudge of a scalar, included by the instantiating sources only.
 #pragma once
 
 #include "verify/trace_check/checker_end_impl.hpp"
 #include "verify/trace_check/checker_follow_impl.hpp"
 #include "verify/trace_check/checker_impl.hpp"
 #include "verify/trace_check/checker_meet_impl.hpp"
-#include "verify/trace_check/decimal_digits.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 #include "verify/trace_check/read_line.hpp"
 
 namespace tps::check {
 
 template <typename Number>
-class LineJudge {
+class LineJudgeOf : public LineJudge {
  public:
-  LineJudge(const TraceFacts& facts, const Precision<Number>& precision, Tally& tally, CheckReport& report)
-      : facts_(facts),
-        tally_(tally),
-        report_(report),
-        reading_(facts.scene, facts.minimal, precision.digits),
-        checker_(facts, precision, tally) {}
+  LineJudgeOf(const JudgeParts& parts, const Precision<Number>& precision)
+      : parts_(parts),
+        precision_(precision),
+        judged_(fresh()),
+        reading_(parts.facts.scene, parts.facts.minimal, precision.digits) {}
 
-  void judge(const LineSource::Text& line) {
-    tally_.step = {report_.lines, 0, {}, {}};
+  void begin() { checker_.emplace(parts_.facts, precision_, judged_->tally); }
+  /// @return whether there is such a state in the line, of no more events than lines before it
+  bool begin_at(std::string_view text, std::uint64_t number) {
+    try {
+      const Line<Number> line = reading_.read(text);
+      const auto* state = std::get_if<StateLine<Number>>(&line);
+      if (state == nullptr || state->data.k > number) return false;
+      take_up({state->data, nullptr});
+      return true;
+    } catch (const std::exception&) {
+      return false;  // who comes to the line says why
+    }
+  }
+
+  void judge(const LineText& line, std::uint64_t number) override {
+    state_.reset();
+    tally().step = {number, 0, {}, {}};
     if (line.too_long) {
       std::string beginning(line.text);
       for (char& c : beginning) c = c >= ' ' && c <= '~' ? c : '?';
@@ -31,99 +44,102 @@ class LineJudge {
     }
     try {
       Line<Number> read = reading_.read(line.text);
-      tally_.pass(Rule::schema);
-      std::visit([this](const auto& parsed) { this->take(parsed); }, read);
+      tally().pass(Rule::schema);
+      std::visit([this](auto& parsed) { this->take(parsed); }, read);
     } catch (const LineProblem& problem) {
       bad(problem.pointer, problem.what());
     }
   }
 
-  void close() {
-    tally_.step = {report_.lines, checker_.model().events, {}, {}};
-    checker_.close();
-    report_.certified_comparisons = checker_.exact_comparisons();
-    if (!facts_.minimal) say_missing_states();
-    if (report_.end == "out_of_range")
-      tally_.not_judged(Rule::end, "that the step after the last event leaves the range is taken as given");
-    if (!facts_.own_draws && has_draws_)
-      tally_.not_judged(Rule::tethers, "the draws are taken as given, only their use is judged");
-    if (report_.violated() == 0) return;
-    if (const auto advice = digits_.advice()) report_.notes.push_back(*advice);
+  std::unique_ptr<Judged> end_segment() override {
+    if (!state_ || !checker_->ends_segment()) return nullptr;
+    const Waits<Number> waits = checker_->waits();
+    std::unique_ptr<Judged> ended = finished();
+    judged_ = fresh();
+    take_up({state_->data, &waits});
+    return ended;
+  }
+
+  bool needed_before() const override { return checker_->needed_before(); }
+
+  std::unique_ptr<Judged> close(std::uint64_t lines) override {
+    tally().step = {lines, checker_->model().events, {}, {}};
+    checker_->close();
+    return finished();
   }
 
  private:
-  void say_missing_states() {
-    if (report_.states == 0) {
-      tally_.not_judged(Rule::states, "the trace has no full states to judge");
-      return;
-    }
-    if (!begins_with_state_) tally_.not_judged(Rule::states, "there is no full state before the first event");
-    if (last_state_ != report_.events)
-      tally_.not_judged(Rule::states,
-                        fmt::format("there is no full state behind event {}, the last", report_.events));
+  std::unique_ptr<Judged> fresh() const { return std::make_unique<Judged>(parts_.begun, parts_.max_reports); }
+  void take_up(const TakenUp<Number>& from) {
+    checker_.reset();
+    checker_.emplace(parts_.facts, precision_, judged_->tally, from);
   }
+  std::unique_ptr<Judged> finished() {
+    judged_->report.certified_comparisons = checker_->exact_comparisons();
+    judged_->below_rounding = checker_->below_rounding();
+    judged_->report.segments = 1;
+    return std::move(judged_);
+  }
+  Tally& tally() { return judged_->tally; }
 
   void bad(const std::string& pointer, const std::string& message) {
-    tally_.demand(Rule::schema, false, [&](Finding& f) {
+    tally().demand(Rule::schema, false, [&](Finding& f) {
       f.message = pointer.empty() ? message : fmt::format("{} {}", pointer, message);
     });
   }
 
   void take(const EventLine<Number>& event) {
-    ++report_.events;
-    tally_.step.event = event.k.value_or(checker_.model().events + 1);
-    tally_.step.t = event.t_text;
+    ++judged_->report.events;
+    tally().step.event = event.k.value_or(checker_->model().events + 1);
+    tally().step.t = event.t_text;
     for (const int n : {event.i, event.j}) {
-      if (n >= 0) tally_.step.particles.push_back(checker_.model().id(n));
+      if (n >= 0) tally().step.particles.push_back(checker_->model().id(n));
     }
-    has_draws_ = has_draws_ || event.draw.has_value();
-    digits_.add(DecimalDigits::times, rough(event.t).hi + facts_.scene.start_time);
+    judged_->has_draws = judged_->has_draws || event.draw.has_value();
+    DecimalDigits& digits = judged_->digits;
+    digits.add(DecimalDigits::times, rough(event.t).hi + parts_.facts.scene.start_time);
     for (const InvolvedParticle<Number>& p : event.involved) {
       for (std::size_t k = 0; k < 3; ++k) {
-        digits_.add(DecimalDigits::velocities, static_cast<double>(p.velocity_after[k]));
+        digits.add(DecimalDigits::velocities, static_cast<double>(p.velocity_after[k]));
         if (p.position_after)
-          digits_.add(DecimalDigits::positions, static_cast<double>((*p.position_after)[k]));
+          digits.add(DecimalDigits::positions, static_cast<double>((*p.position_after)[k]));
       }
     }
-    checker_.take(event);
+    checker_->take(event);
   }
-  void take(const StateLine<Number>& state) {
-    ++report_.states;
-    begins_with_state_ = begins_with_state_ || report_.events == 0;
-    last_state_ = report_.events;
-    tally_.step.event = state.data.k;
-    checker_.take(state);
+  void take(StateLine<Number>& state) {
+    CheckReport& report = judged_->report;
+    ++report.states;
+    judged_->begins_with_state = judged_->begins_with_state || report.events == 0;
+    judged_->last_state = report.events;
+    tally().step.event = state.data.k;
+    checker_->take(state);
+    state_ = std::move(state);
   }
   void take(const EndLine<Number>& end) {
-    report_.end = end.reason;
-    tally_.step.event = end.events;
-    checker_.take(end);
+    judged_->report.end = end.reason;
+    tally().step.event = end.events;
+    checker_->take(end);
   }
 
-  const TraceFacts facts_;
-  bool has_draws_ = false;
-  bool begins_with_state_ = false;
-  std::uint64_t last_state_ = 0;  ///< behind which event, counted in lines
-  DecimalDigits digits_;
-  Tally& tally_;
-  CheckReport& report_;
+  const JudgeParts& parts_;
+  const Precision<Number> precision_;
+  std::unique_ptr<Judged> judged_;  ///< of the segment so far
   LineReading<Number> reading_;
-  Checker<Number> checker_;
+  std::optional<Checker<Number>> checker_;
+  std::optional<StateLine<Number>> state_;  ///< the line judged last, if it is one
 };
 
 template <typename Number>
-void judge_lines(LineSource& source, const std::vector<Judgement>& ways, const Precision<Number>& precision) {
-  std::vector<std::unique_ptr<LineJudge<Number>>> judges;
-  for (const Judgement& way : ways)
-    judges.push_back(std::make_unique<LineJudge<Number>>(way.facts, precision, way.tally, way.report));
-  LineSource::Text line;
-  while (source.next(line)) {
-    for (std::size_t n = 0; n < ways.size(); ++n) {
-      ways[n].report.lines = ways.front().report.lines;
-      judges[n]->judge(line);
-    }
+std::unique_ptr<LineJudge> line_judge(const JudgeParts& parts, const Precision<Number>& precision,
+                                      std::string_view state, std::uint64_t number) {
+  auto judge = std::make_unique<LineJudgeOf<Number>>(parts, precision);
+  if (state.empty()) {
+    judge->begin();
+  } else if (!judge->begin_at(state, number)) {
+    return nullptr;
   }
-  for (const auto& judge : judges) judge->close();
+  return judge;
 }
 
 }  // namespace tps::check

@@ -29,8 +29,9 @@ Precision<Wide> precision_named(std::string_view scalar) {
 
 }  // namespace
 
-void judge_wide_lines(LineSource& source, const std::vector<Judgement>& ways, std::string_view scalar) {
-  judge_lines<Wide>(source, ways, precision_named(scalar));
+std::unique_ptr<LineJudge> judge_of_wide(const JudgeParts& parts, std::string_view scalar,
+                                         std::string_view state, std::uint64_t number) {
+  return line_judge<Wide>(parts, precision_named(scalar), state, number);
 }
 
 }  // namespace tps::check

@@ -27,6 +27,16 @@ class LazyTable {
     }
   }
 
+  /// Goes through the same places of this table and, with them, those of another one.
+  template <typename Visit>
+  void each_with(const LazyTable& other, Visit visit) {
+    for (std::size_t n = 0; n < pages_.size(); ++n) {
+      if (other.pages_[n] == nullptr) continue;
+      if (pages_[n] == nullptr) pages_[n] = std::make_unique<Page>();
+      for (std::size_t k = 0; k < kPage; ++k) visit((*pages_[n])[k], (*other.pages_[n])[k]);
+    }
+  }
+
  private:
   static constexpr std::size_t kPage = 64;
   using Page = std::array<T, kPage>;

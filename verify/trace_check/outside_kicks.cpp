@@ -1,6 +1,7 @@
 #include "verify/trace_check/outside_kicks.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 namespace tps::check {
@@ -53,11 +54,31 @@ void OutsideKicks::take(Kind kind) {
     return;
   }
   Random& random = random_.at(kind);
+  ++random.taken;
   const int particle = random.waiting.begin()->second;
   random.waiting.erase(random.waiting.begin());
   PoissonTimes& times = random.times.at(particle);
   times.advance();
   random.waiting.emplace(times.next(), particle);
+}
+
+void OutsideKicks::pass_over(Kind kind, std::uint64_t count) {
+  if (kind == Kind::gravity) {
+    if (count > 0 && !gravity_) throw std::out_of_range("the scene has no gravity");
+    gravity_done_ += count;
+    return;
+  }
+  for (std::uint64_t n = 0; n < count; ++n) {
+    if (!next(kind)) throw std::out_of_range("the scene has fewer impulses");
+    take(kind);
+  }
+}
+
+std::uint64_t OutsideKicks::taken(Kind kind) const {
+  if (kind == Kind::scheduled_impulse) return scheduled_done_;
+  if (kind == Kind::gravity) return gravity_done_;
+  const auto found = random_.find(kind);
+  return found == random_.end() ? 0 : found->second.taken;
 }
 
 }  // namespace tps::check

@@ -28,6 +28,11 @@ class OutsideKicks {
   std::optional<OutsideKick> next(Kind kind) const;
   /// The next one of a kind has happened. REQUIRES that there is one.
   void take(Kind kind);
+  /// So many of a kind have happened. Throws std::out_of_range where the scene has fewer. Of random ones each
+  /// takes its time: the times are sums.
+  void pass_over(Kind kind, std::uint64_t count);
+  /// How many of a kind have happened.
+  std::uint64_t taken(Kind kind) const;
   const ScheduledImpulse& scheduled() const { return scheduled_[scheduled_done_]; }
   std::uint64_t gravity_done() const { return gravity_done_; }
   std::size_t scheduled_done() const { return scheduled_done_; }
@@ -36,6 +41,7 @@ class OutsideKicks {
   struct Random {
     std::map<int, PoissonTimes> times;         ///< by particle
     std::set<std::pair<double, int>> waiting;  ///< (time, particle)
+    std::uint64_t taken = 0;
   };
   void add_random(const Scene& scene, Kind kind, Purpose wait, int particle, double tau);
 

@@ -68,4 +68,33 @@ void Tally::close_sums() {
   }
 }
 
+void Tally::take_over(const Tally& later) {
+  std::array<std::array<std::uint64_t, 2>, kRules> before;
+  for (std::size_t n = 0; n < kRules; ++n)
+    before[n] = {report_.rules[n].violated, report_.rules[n].undecided};
+  for (const Finding& f : later.report_.findings) {
+    std::uint64_t& number = before[static_cast<std::size_t>(f.rule)][f.outcome == Outcome::violated ? 0 : 1];
+    if (number++ < max_reports_) report_.findings.push_back(f);
+  }
+  for (std::size_t n = 0; n < kRules; ++n) {
+    RuleResult& all = report_.rules[n];
+    const RuleResult& more = later.report_.rules[n];
+    all.passed += more.passed;
+    all.violated += more.violated;
+    all.undecided += more.undecided;
+    all.vague += more.vague;
+    if (!(more.worst > all.worst)) continue;
+    all.worst = more.worst;
+    all.worst_off = more.worst_off;
+    all.worst_allowed = more.worst_allowed;
+  }
+  for (const auto& [rule, why] : later.reasons_) not_judged(rule, why);
+  vague_.insert(later.vague_.begin(), later.vague_.end());
+  for (const auto& [quantity, residuals] : later.residuals_) residuals_[quantity].take_over(residuals);
+  report_.events += later.report_.events;
+  report_.states += later.report_.states;
+  report_.segments += later.report_.segments;
+  if (!later.report_.end.empty()) report_.end = later.report_.end;
+}
+
 }  // namespace tps::check

@@ -60,6 +60,7 @@ struct CheckReport {
   std::string file, title, scalar, timing;
   bool minimal = false;  ///< velocities only: positions are the checker's own
   std::uint64_t lines = 0, events = 0, states = 0;
+  std::uint64_t segments = 0;  ///< in which it was judged, each from a full state (docs/check.md, "Segments")
   std::size_t particles = 0;
   std::string end;           ///< the reason the trace gives; empty if it gives none
   bool interrupted = false;  ///< the check was, before the trace's end

@@ -62,6 +62,7 @@ std::string report_json(const CheckReport& r) {
                     {"lines", r.lines},
                     {"events", r.events},
                     {"states", r.states},
+                    {"segments", r.segments},
                     {"end", r.end},
                     {"interrupted", r.interrupted},
                     {"tolerance", r.tolerance},

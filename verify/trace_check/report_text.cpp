@@ -5,6 +5,7 @@
 
 #include "reference/text/printable.hpp"
 #include "verify/trace_check/report.hpp"
+#include "verify/trace_check/segment_size.hpp"
 
 namespace tps::check {
 namespace {
@@ -61,6 +62,11 @@ std::string report_text(const CheckReport& r) {
                  r.minimal ? ", minimal" : "");
   fmt::format_to(out, "lines      {}: {} events, {} full states, end {}\n", r.lines, r.events, r.states,
                  r.end.empty() ? "missing" : printable(r.end));
+  if (r.segments > 1) {
+    fmt::format_to(out, "segments   {}, each judged from its full state\n", r.segments);
+  } else if (r.lines > kLinesOfSegment) {
+    fmt::format_to(out, "segments   1: no full state from which another could begin alone\n");
+  }
   if (r.tolerance != 1) fmt::format_to(out, "tolerance  {} times the derived bounds\n", r.tolerance);
   fmt::format_to(out, "{:<13} {:<10}{:>10}{:>10}{:>10}  {}\n", "rule", "verdict", "passed", "violated",
                  "undecided", "largest share of its bound");

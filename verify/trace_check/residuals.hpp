@@ -30,6 +30,15 @@ class Residuals {
     ++count_;
   }
 
+  /// Adds up what was added to another one.
+  void take_over(const Residuals& other) {
+    clusters_.each_with(other.clusters_, [](Sums& mine, const Sums& others) {
+      mine.xy += others.xy;
+      mine.xx += others.xx;
+    });
+    count_ += other.count_;
+  }
+
   std::uint64_t count() const { return count_; }
   double mean() const {
     const Sums all = total();

@@ -78,7 +78,9 @@ class Tally {
   /// What of a rule could not be judged, each reason once.
   void not_judged(Rule rule, const std::string& why) {
     std::string& said = of(rule).not_judged;
-    if (said.find(why) == std::string::npos) said += (said.empty() ? "" : "; ") + why;
+    if (said.find(why) != std::string::npos) return;
+    said += (said.empty() ? "" : "; ") + why;
+    reasons_.emplace_back(rule, why);
   }
 
   /// A step that the rule cannot judge, since its margin is larger than what it judges. Said once, with the
@@ -95,6 +97,10 @@ class Tally {
     if (std::isfinite(x * y)) residuals_[quantity].add(y, x, size);
   }
   void close_sums();
+
+  /// Takes over the verdicts on the segment of the trace behind what this one is of, as if they had been
+  /// given here; sums of residuals are added up a segment at a time.
+  void take_over(const Tally& later);
 
   /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
   bool seen_before(double x) {
@@ -126,6 +132,7 @@ class Tally {
   std::uint64_t max_reports_;
   std::map<std::string, Residuals> residuals_;
   std::map<Rule, std::string> vague_;
+  std::vector<std::pair<Rule, std::string>> reasons_;  ///< why something was not judged, as it came
   LazyTable<std::uint64_t> seen_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -141,6 +142,11 @@ int opened(const std::string& path) {
   return descriptor;
 }
 
+bool is_file(int descriptor) {
+  struct stat about = {};
+  return ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
+}
+
 }  // namespace
 
 TraceInput::Descriptor::~Descriptor() {
@@ -148,7 +154,9 @@ TraceInput::Descriptor::~Descriptor() {
 }
 
 TraceInput::TraceInput(const std::string& path, const std::string& scene_file, std::function<bool()> stop)
-    : descriptor_{opened(path)},
+    : path_(path),
+      descriptor_{opened(path)},
+      can_be_reopened_(path != "-" && is_file(descriptor_.number)),
       stop_(std::move(stop)),
       reader_(
           path == "-" ? "standard input" : path, descriptor_.number, kLongestHeader, [] {}, stop_) {
@@ -165,10 +173,14 @@ TraceInput::TraceInput(const std::string& path, const std::string& scene_file, s
   }
   head_ = read_head(header, file, scene_file);
   bytes_ = header.size();
-  reader_.set_longest_line(kLongestHeader + kStateOfParticle * head_.scene.particles.size());
+  reader_.set_longest_line(longest_line());
 }
 
-bool TraceInput::next(LineSource::Text& line) {
+std::size_t TraceInput::longest_line() const {
+  return kLongestHeader + kStateOfParticle * head_.scene.particles.size();
+}
+
+bool TraceInput::next(LineText& line) {
   const LineReader::Result next = reader_.next();
   interrupted_ = next.status == LineReader::Status::interrupted || stop_();
   if (interrupted_ || next.status == LineReader::Status::end) return false;
@@ -176,6 +188,22 @@ bool TraceInput::next(LineSource::Text& line) {
   ++lines_;
   bytes_ += next.text.size();
   return true;
+}
+
+TraceInput::Again::Again(const TraceInput& input, std::uint64_t place)
+    : path_(input.path_),
+      descriptor_{opened(path_)},
+      reader_(
+          path_, descriptor_.number, input.longest_line(), [] {}, [] { return false; }) {
+  if (::lseek(descriptor_.number, static_cast<off_t>(place), SEEK_SET) < 0)
+    fail(path_, 0, "cannot be read a second time; without --jobs it is read once");
+}
+
+LineText TraceInput::Again::next() {
+  const LineReader::Result next = reader_.next();
+  if (next.status == LineReader::Status::end)
+    fail(path_, 0, "has become shorter while it was read; check it when it is not being written");
+  return {next.text, next.status == LineReader::Status::too_long};
 }
 
 }  // namespace tps::check

@@ -8,7 +8,7 @@
 #include "reference/engine/timing.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/text/line_reader.hpp"
-#include "verify/trace_check/judge_lines.hpp"
+#include "verify/trace_check/line_text.hpp"
 
 namespace tps::check {
 
@@ -34,7 +34,14 @@ class TraceInput {
 
   const TraceFileHead& head() const { return head_; }
   /// The next line; false at the end, or where `stop` said so.
-  bool next(LineSource::Text& line);
+  bool next(LineText& line);
+
+  /// From where the next line is.
+  std::uint64_t place() const { return reader_.place(); }
+  /// Whether what was read can be read again: a file, and not a pipe.
+  bool can_be_reopened() const { return can_be_reopened_; }
+  /// Reads lines from a place on once more, beside this one. REQUIRES can_be_reopened().
+  class Again;
 
   std::uint64_t lines() const { return lines_; }  ///< handed out or read so far, the header among them
   std::uint64_t bytes() const { return bytes_; }
@@ -49,13 +56,29 @@ class TraceInput {
     ~Descriptor();
   };
 
+  std::size_t longest_line() const;
+
+  std::string path_;
   Descriptor descriptor_;  ///< closed in the end; 0 is the standard input
+  bool can_be_reopened_;
   std::function<bool()> stop_;
   LineReader reader_;
   TraceFileHead head_;
   std::uint64_t lines_ = 1;
   std::uint64_t bytes_ = 0;
   bool interrupted_ = false;
+};
+
+class TraceInput::Again {
+ public:
+  Again(const TraceInput& input, std::uint64_t place);
+  /// Throws InputError where the file has become shorter.
+  LineText next();
+
+ private:
+  std::string path_;
+  Descriptor descriptor_;
+  LineReader reader_;
 };
 
 }  // namespace tps::check

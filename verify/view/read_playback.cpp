@@ -41,7 +41,7 @@ void read_lines(check::TraceInput& input, int digits, const PlaybackOptions& opt
   Recorder recorder(playback);
   PassedOver passed;
   const auto keep = [&](const Event& event) { return is_beside(options.lines, event.line); };
-  check::LineSource::Text line;
+  check::LineText line;
   while (input.next(line)) {
     // Full states repeat what the events say; their verdict is the check's.
     if (line.text.starts_with("{\"state\":")) continue;

@@ -162,19 +162,16 @@ class Neighbourhood {
       ranges.for_each(filed_[at(i)].region, reach, [&](const RegionRange<D>& range, const auto& turns) {
         const std::size_t begin = found.size();
         search(level, range, found);
-        const RegionRange<D> asked = left ? ranges.around(*left, known, turns) : RegionRange<D>::nothing();
-        std::size_t kept = begin;
-        for (std::size_t n = begin; n < found.size(); ++n) {
-          const int j = found[n];
-          const Region<D>& region = filed_[at(j)].region;
-          const bool is_in = range.contains(region);
-          const bool was_asked = asked.contains(region);
-          const bool stays = is_in & !was_asked & (j != i);
-          found[kept] = j;
-          kept += stays ? 1U : 0U;
+        if (left) {
+          const RegionRange<D> asked = ranges.around(*left, known, turns);
+          keep_others(i, begin, found, [range, asked](const Region<D>& region) {
+            const bool is_in = range.contains(region), was_asked = asked.contains(region);
+            return is_in & !was_asked;
+          });
+        } else {
+          keep_others(i, begin, found, [range](const Region<D>& region) { return range.contains(region); });
         }
-        found.resize(kept);
-        kept = begin;
+        std::size_t kept = begin;
         for (std::size_t n = begin; n < found.size(); ++n) {
           const int j = found[n];
           if (is_tied && world.tethered(i, j)) continue;
@@ -236,6 +233,22 @@ class Neighbourhood {
       if (edge > 0) wraps_[at(i)][at(k)] = n;
     }
     return inside;
+  }
+
+  /// Of who was found from `begin` on, keeps those but i whose region `is_meant`. Without branches: about
+  /// half of them are, in no order that a processor could guess.
+  template <typename IsMeant>
+  void keep_others(int i, std::size_t begin, std::vector<int>& found, IsMeant is_meant) const {
+    const FiledRegion<D>* const filed = filed_.data();
+    int* const end = found.data() + found.size();
+    int* kept = found.data() + begin;
+    for (const int* at_j = kept; at_j != end; ++at_j) {
+      const int j = *at_j;
+      const bool stays = is_meant(filed[at(j)].region) & (j != i);
+      *kept = j;
+      kept += stays ? 1 : 0;
+    }
+    found.resize(static_cast<std::size_t>(kept - found.data()));
   }
 
   /// Appends everyone of a level whose region is in the range, and others.

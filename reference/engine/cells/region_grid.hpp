@@ -16,28 +16,24 @@ namespace tps {
 template <int D>
 using Region = std::array<std::int32_t, static_cast<std::size_t>(D)>;
 
-/// Regions from low to high, both included.
+/// Regions from low to high, both included; no axis is empty.
 template <int D>
 struct RegionRange {
   Region<D> low, high;
 
-  /// A range without a region.
-  static RegionRange nothing() {
-    RegionRange range{};
-    range.high[0] = -1;
-    return range;
-  }
-
-  /// Without branches: half of those that are looked at are in, in no order that a processor could guess.
+  /// Without branches. What is below the lowest one is, without a sign, far above the highest.
   bool contains(const Region<D>& region) const {
     bool is_in = true;
     for (std::size_t k = 0; k < region.size(); ++k) {
-      const bool is_above = region[k] >= low[k];
-      const bool is_below = region[k] <= high[k];
-      is_in = is_in & is_above & is_below;
+      const std::uint32_t above_low = unsigned_of(region[k]) - unsigned_of(low[k]);
+      const std::uint32_t width = unsigned_of(high[k]) - unsigned_of(low[k]);
+      is_in = is_in & (above_low <= width);
     }
     return is_in;
   }
+
+ private:
+  static std::uint32_t unsigned_of(std::int32_t x) { return static_cast<std::uint32_t>(x); }
 };
 
 /// Where every particle is filed: its region, and its neighbours in the list of its bucket.

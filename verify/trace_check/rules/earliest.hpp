@@ -65,9 +65,11 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c, cons
   return turn;
 }
 
-/// Exact: whether something that still waits had its turn before the latest of what happened meanwhile.
+/// Exact: whether something that waits since the step `since` had its turn before the latest of what happened
+/// meanwhile.
 template <typename Number>
-Waiting waiting_behind(const Context<Number>& c, const Turn<Number>& turn, const Turn<Number>* latest) {
+Waiting waiting_behind(const Context<Number>& c, const Turn<Number>& turn, StepNumber since) {
+  const Turn<Number>* const latest = c.turns.latest_since(since, turn);
   if (latest == nullptr || c.turns.order(turn, *latest) >= 0) return Waiting::not_due;
   return c.turns.order_in_time(turn, *latest) == 0 ? Waiting::lost_a_tie : Waiting::overdue;
 }
@@ -91,9 +93,9 @@ Waiting computed_waiting(const Context<Number>& c, const Quadratic<Work<Number>>
 
 /// Sees to it that a certified run has left nothing waiting that was due by its end.
 inline Waiting certified_waiting(const Context<double>& c, const Turn<double>& turn, bool outer,
-                                 const Turn<double>* latest, const Happening<double>& happening,
+                                 StepNumber since, const Happening<double>& happening,
                                  const std::function<void(Finding&)>& describe) {
-  const Waiting state = waiting_behind(c, turn, latest);
+  const Waiting state = waiting_behind(c, turn, since);
   if (state != Waiting::not_due) return state;
   if (happening.until == Until::ever)
     return is_a_time(turn.t, c.model.precision) ? Waiting::overdue : Waiting::not_due;
@@ -157,13 +159,13 @@ void say_overdue(const Context<Number>& c, const LimitFlight<Number>& flight, Wa
 }
 
 template <typename Number>
-Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, const Turn<Number>* latest,
+Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, StepNumber since,
                 const Happening<Number>& happening) {
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
       const auto turn = certified_turn(c, flight.pair, flight.i, flight.j, flight.asked);
       if (!turn) return Waiting::not_due;
-      return certified_waiting(c, *turn, flight.asked.outer, latest, happening, [&c, flight](Finding& f) {
+      return certified_waiting(c, *turn, flight.asked.outer, since, happening, [&c, flight](Finding& f) {
         say_overdue(c, flight, Waiting::overdue, Until::duration, f);
       });
     }
@@ -173,13 +175,13 @@ Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, con
 
 }  // namespace detail
 
-/// Judges a pair at one limit over its flight until `until`; `latest` is the latest turn that came meanwhile.
+/// Judges a pair at one limit over its flight until `until`; it waits since the step `since`.
 template <typename Number>
 Asked judge_limit(const Context<Number>& c, const LimitFlight<Number>& flight, bool is_asked,
-                  const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
+                  StepNumber since, const Happening<Number>& happening, Told& told) {
   Asked result;
   const bool outer = flight.asked.outer;
-  const Waiting state = is_asked ? detail::waiting(c, flight, latest, happening) : Waiting::not_due;
+  const Waiting state = is_asked ? detail::waiting(c, flight, since, happening) : Waiting::not_due;
   if ((state == Waiting::overdue || state == Waiting::lost_a_tie) && told.say(Told::overdue, outer)) {
     result.earliest = false;
     c.tally.demand(Rule::earliest, false,
@@ -233,8 +235,8 @@ std::vector<Vec<Number>> images_on_the_way(const Model<Number>& model, int i, in
 /// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening; in a
 /// periodic box with every image on the way. A tether holds the image that is nearest at the start.
 template <typename Number>
-Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& until,
-                 const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
+Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& until, StepNumber since,
+                 const Happening<Number>& happening, Told& told) {
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(i, j);
@@ -251,7 +253,7 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
     if (asked.responded && !asked.outer)
       is_asked = is_asked && flight.q.c > flight.q.q_error &&
                  detail::exact_sign(pair.u_i, pair.u_j, pair.v_i, pair.v_j, pair.image, pair.edges) < 0;
-    const Asked one = judge_limit(c, flight, is_asked, latest, happening, told);
+    const Asked one = judge_limit(c, flight, is_asked, since, happening, told);
     result.earliest = result.earliest && one.earliest;
     result.bounds = result.bounds && one.bounds;
   };

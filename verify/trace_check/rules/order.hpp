@@ -49,14 +49,16 @@ void judge_order(const Context<Number>& c, const EventLine<Number>& event) {
   });
 }
 
-/// What was waiting while other things happened had its turn after them: `latest` is the latest turn since it
-/// began to wait, null if nothing happened.
+/// What was waiting while other things happened had its turn after them: it began to wait at the step
+/// `since`.
 template <typename Number>
 void judge_turn(const Context<Number>& c, const EventLine<Number>& event, const Turn<Number>& turn,
-                const Turn<Number>* latest) {
+                StepNumber since) {
   // Times of a minimal trace are rounded, so that equal ones are no tie.
-  if (c.minimal || latest == nullptr) return;
-  c.tally.demand(Rule::order, c.turns.order(turn, *latest) >= 0, [&](Finding& f) {
+  if (c.minimal) return;
+  const Turn<Number>* const latest = c.turns.latest_since(since, turn);
+  if (latest == nullptr && !c.turns.is_of_before(since)) return;
+  c.tally.demand(Rule::order, latest == nullptr || c.turns.order(turn, *latest) >= 0, [&](Finding& f) {
     const auto name_of = [&](int i) {
       return i < 0 ? std::string("the scene's") : std::to_string(c.model.id(i));
     };

@@ -7,7 +7,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/drag.hpp"
 #include "verify/trace_check/rules/known_events.hpp"
-#include "verify/trace_check/text_number.hpp"
+#include "verify/trace_check/state_values.hpp"
 
 namespace tps::check {
 
@@ -23,7 +23,8 @@ class StateJudge {
     for (int n = 0; n < model_.size(); ++n) index_of_.emplace_back(model_.id(n), n);
   }
 
-  void judge() {
+  /// @return whether all holds
+  bool judge() {
     judge_itself();
     try {
       judge_clock();
@@ -35,11 +36,14 @@ class StateJudge {
       c_.tally.demand(Rule::states, false, [&](Finding& f) {
         f.message = fmt::format("the full state cannot be read: {}", error.what());
       });
+      holds_ = false;
     }
+    return holds_;
   }
 
  private:
   void expect(bool holds, const std::string& what, std::vector<std::int32_t> particles = {}) {
+    holds_ = holds_ && holds;
     c_.tally.demand(Rule::states, holds, [&](Finding& f) {
       f.particles = std::move(particles);
       f.message = what;
@@ -48,6 +52,7 @@ class StateJudge {
   /// The same of one of very many particles: what to say is put into words where it is said.
   template <typename Words>
   void expect_of(std::int32_t particle, bool holds, Words words) {
+    holds_ = holds_ && holds;
     c_.tally.demand(Rule::states, holds, [&](Finding& f) {
       f.particles = {particle};
       f.message = words();
@@ -60,25 +65,9 @@ class StateJudge {
       throw std::runtime_error(fmt::format("it names particle {}", id));
     return found->second;
   }
-  static Number number(const Hex& text) {
-    const std::optional<Number> x = number_of<Number>(text);
-    if (!x)
-      throw std::runtime_error(fmt::format("\"{}\" is no number of the trace's scalar", text.substr(0, 60)));
-    return *x;
-  }
-  static Instant<Number> instant(const HexTime& t) {
-    const Number hi = number(t[0]);
-    const Number lo = number(t[1]);
-    if constexpr (std::is_same_v<Number, double>) return {hi, lo};
-    return {hi + lo, Number(0)};
-  }
-  Vec<Number> vector(const HexVector& x) const {
-    if (x.size() != static_cast<std::size_t>(model_.scene.dimension))
-      throw std::runtime_error("a vector has another dimension");
-    Vec<Number> result;
-    for (std::size_t k = 0; k < x.size(); ++k) result[k] = number(x[k]);
-    return result;
-  }
+  static Number number(const Hex& text) { return number_in_state<Number>(text); }
+  static Instant<Number> instant(const HexTime& t) { return instant_in_state<Number>(t); }
+  Vec<Number> vector(const HexVector& x) const { return vector_in_state<Number>(x, model_.scene.dimension); }
   /// Float clocks are two floats where the check has one double.
   static bool same(const Instant<Number>& a, const Instant<Number>& b) { return elapsed(a, b) == W(0); }
 
@@ -138,8 +127,7 @@ class StateJudge {
                            shown(flight.position, model_.scene.dimension));
       });
       if (model_.keeps_spin(n)) {
-        Vec<Number> spin;
-        for (std::size_t k = 0; k < p.spin.size(); ++k) spin[p.spin.size() == 1 ? 2 : k] = number(p.spin[k]);
+        const Vec<Number> spin = spin_in_state<Number>(p.spin);
         expect_of(p.id, spin == model_.spins[Model<Number>::at(n)], [&] {
           return fmt::format("particle {} has a spin that it did not leave its last event with", p.id);
         });
@@ -278,6 +266,7 @@ class StateJudge {
   const Model<Number>& model_;
   const StateLine<Number>& line_;
   std::vector<std::pair<std::int32_t, int>> index_of_;
+  bool holds_ = true;
 };
 
 }  // namespace tps::check

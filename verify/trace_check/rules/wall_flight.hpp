@@ -154,14 +154,14 @@ void say_overdue(const Context<Number>& c, const WallFlight<Number>& flight, Wai
 
 template <typename Number>
 Waiting waiting(const Context<Number>& c, const WallFlight<Number>& flight, const Work<Number>& dt,
-                const Turn<Number>* latest, const Happening<Number>& happening) {
+                StepNumber since, const Happening<Number>& happening) {
   using W = Work<Number>;
   if (faces_when_due(c, flight) != Within::yes) return Waiting::not_due;
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
       const auto turn = certified_turn(c, flight);
       if (!turn) return Waiting::not_due;
-      return certified_waiting(c, *turn, flight.asked.outer, latest, happening, [&c, flight, dt](Finding& f) {
+      return certified_waiting(c, *turn, flight.asked.outer, since, happening, [&c, flight, dt](Finding& f) {
         say_overdue(c, flight, Waiting::overdue, dt, f);
       });
     }
@@ -192,10 +192,10 @@ Work<Number> beyond_wall(const Context<Number>& c, const WallFlight<Number>& fli
 
 }  // namespace detail
 
-/// Judges a particle and a surface over its flight until a moment.
+/// Judges a particle and a surface over its flight until a moment; they wait since the step `since`.
 template <typename Number>
 Asked judge_wall_flight(const Context<Number>& c, int i, std::size_t n, const Instant<Number>& until,
-                        const Turn<Number>* latest, const Happening<Number>& happening, Told& told) {
+                        StepNumber since, const Happening<Number>& happening, Told& told) {
   using W = Work<Number>;
   Asked result;
   if (until < c.model.flight(i).since) return result;
@@ -203,7 +203,7 @@ Asked judge_wall_flight(const Context<Number>& c, int i, std::size_t n, const In
   const W dt = elapsed(flight.pair.start, until);
   const bool outer = flight.asked.outer;
   const bool happens = happening.i == i && happening.wall == n;
-  const Waiting state = happens ? Waiting::not_due : detail::waiting(c, flight, dt, latest, happening);
+  const Waiting state = happens ? Waiting::not_due : detail::waiting(c, flight, dt, since, happening);
   if ((state == Waiting::overdue || state == Waiting::lost_a_tie) && told.say(Told::overdue, outer)) {
     result.earliest = false;
     c.tally.demand(Rule::earliest, false, [&](Finding& f) { detail::say_overdue(c, flight, state, dt, f); });
