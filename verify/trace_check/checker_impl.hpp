@@ -52,28 +52,6 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
   make_agendas(facts);
 }
 
-template <typename Number>
-std::optional<Border<Number>> Checker<Number>::border_of(const std::optional<TakenUp<Number>>& taken_up,
-                                                         const Precision<Number>& precision) {
-  if (!taken_up) return std::nullopt;
-  if (taken_up->waits != nullptr) return taken_up->waits->border;
-  return Turns<Number>::unknown_border(instant_in_state<Number>(taken_up->state.last_event), precision);
-}
-
-template <typename Number>
-bool Checker<Number>::ends_segment() {
-  if (ended_ || !state_holds_ || !is_whole_in_state(model_, own_draws_)) return false;
-  judge_until_end(model_.now, Until::last_event);
-  return std::ranges::all_of(told_, [](const std::map<int, Told>& told) { return told.empty(); });
-}
-
-template <typename Number>
-Waits<Number> Checker<Number>::waits() const {
-  Waits<Number> waits = waits_;
-  waits.border = turns_.border_here(waits_.step, model_.now, model_.precision);
-  return waits;
-}
-
 /// For those who never begin another flight and have so many partners that an event should not ask them all.
 template <typename Number>
 void Checker<Number>::make_agendas(const TraceFacts& facts) {

@@ -5,6 +5,7 @@
 #include "verify/trace_check/checker_follow_impl.hpp"
 #include "verify/trace_check/checker_impl.hpp"
 #include "verify/trace_check/checker_meet_impl.hpp"
+#include "verify/trace_check/checker_segment_impl.hpp"
 #include "verify/trace_check/judge_lines.hpp"
 #include "verify/trace_check/read_line.hpp"
 
