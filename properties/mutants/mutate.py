@@ -63,8 +63,12 @@ def tests_of(program):
 
 
 def law_of(test):
-    found = re.search(r"Law(\d+)(\w+)$", test)
-    return f"law {found[1]} {found[2]}" if found else test.split(".")[0]
+    if found := re.search(r"Law(\d+)(\w+)$", test):
+        return f"law {found[1]} {found[2]}"
+    if found := re.search(r"OutlookRuns\.(\w+)/(\w+)$", test):
+        how = re.sub("(?<!^)([A-Z])", r" \1", found[1]).lower()
+        return f"runs with {found[2].replace('_', ' ')} {how}"
+    return test.split(".")[0]
 
 
 def case_of_death(program, test, parameters):

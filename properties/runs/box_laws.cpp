@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "properties/runs/laws.hpp"
+#include "properties/runs/outlook_scenes.hpp"
 #include "properties/runs/scene_bounds.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
@@ -11,36 +12,6 @@
 
 namespace tps::properties::runs {
 namespace {
-
-/// The scene in the corner of the positive axes.
-Scene shifted(Scene scene, double by) {
-  const Bounds bounds = bounds_of(scene);
-  for (Particle& p : scene.particles) {
-    for (std::size_t k = 0; k < at(scene.dimension); ++k) p.position[k] += by - bounds.low[k];
-  }
-  return scene;
-}
-
-double longest_limit(const Scene& scene) {
-  double longest = 0;
-  for (const PairLaw& law : scene.pairs) {
-    if (law.blocking) longest = std::max(longest, law.blocking->distance);
-    if (law.tethering) longest = std::max(longest, law.tethering->distance);
-  }
-  return longest;
-}
-
-/// As narrow as a box may be, a quarter more: everybody meets images of everybody.
-SmallScene in_a_box(SmallScene small) {
-  const double L = longest_limit(small.scene);
-  Scene scene = shifted(small.scene, L / 4);
-  const Bounds bounds = bounds_of(scene);
-  scene.box.emplace();
-  scene.box->edges.fill(std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < at(scene.dimension); ++k)
-    scene.box->edges[k] = std::max(2.25 * L, bounds.high[k] + L * 1.25);
-  return {scene};
-}
 
 /// The difference to the nearest image.
 Point nearest(const Scene& scene, Point r) {
@@ -173,7 +144,7 @@ std::vector<RunLaw> box_laws() {
        [free](int dimension) mutable {
          free.dimension = dimension;
          free.tethers = false;
-         return rc::gen::map(small_scene(free), in_a_box);
+         return scene_in_a_box(free);
        },
        meets_images, true},
       {32, "WideBox", "A periodic box that nobody comes near to leaving changes no event, bit for bit.",

@@ -5,30 +5,11 @@
 #include <vector>
 
 #include "properties/runs/laws.hpp"
+#include "properties/runs/outlook_scenes.hpp"
 #include "properties/runs/wall_judge.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-/// A box around everybody, wider than the particles by a multiple of their radius, and a block in its highest
-/// corner.
-SmallScene around_a_block(SmallScene small) {
-  Scene& scene = small.scene;
-  const double radius = largest_radius(scene);
-  const auto count = static_cast<int>(scene.particles.size());
-  const double margin = radius * (2 + count % 3);
-  Wall hall{.shape = Wall::Shape::box, .c_rebound = 1};
-  Wall block{.shape = Wall::Shape::box, .inside = false, .c_rebound = 1 - count % 4 / 4.0};
-  const Bounds bounds = bounds_of(scene);
-  for (std::size_t k = 0; k < at(scene.dimension); ++k) {
-    hall.point[k] = bounds.low[k] - radius - margin / 2;
-    hall.high[k] = bounds.high[k] + radius + margin;
-    block.point[k] = bounds.high[k] + radius + margin / 4;
-    block.high[k] = bounds.high[k] + radius + margin / 2;
-  }
-  scene.walls = {hall, block};
-  return small;
-}
 
 Point nearest_of(const Wall& block, const Point& u) {
   const Point low = point_of(block.point), high = point_of(block.high);

@@ -6,23 +6,11 @@
 #include <limits>
 
 #include "properties/runs/laws.hpp"
+#include "properties/runs/outlook_scenes.hpp"
 #include "reference/scene/pair_law.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-/// Nothing at times of its own, no threshold, infinite masses at rest: what drag may be added to, and then
-/// changes nothing but the clock.
-bool can_have_drag(const Scene& scene) {
-  const bool thresholds = std::ranges::any_of(scene.pairs, [](const PairLaw& law) {
-    return law.tethering && law.tethering->breaks.when == BreakRule::When::impulse_above;
-  });
-  const bool walls_move = std::ranges::any_of(scene.particles, [&](const Particle& p) {
-    const double mass = scene.species[static_cast<std::size_t>(p.species)].mass;
-    return std::isinf(mass) && p.velocity != Coordinates{};
-  });
-  return !thresholds && !walls_move && !scene.grouping && scene.phases.empty() && scene.impulses.empty();
-}
 
 /// −ln(1 − γs)/γ in long double: 16 of its units off, and half an ulp of the double that is printed.
 bool is_time_of(Real s, Real time, Real gamma, int digits) {
@@ -66,29 +54,6 @@ RunVerdict drags(const Scene& scene, Simulator& simulator) {
   if (next.hi + next.lo < last * (1 - 4 * u))
     return RunVerdict::broken("an event before the end of s(T) is missing");
   return {};
-}
-
-/// All species get the radius that one pair's blocking distance is twice of, and the pairs with that distance
-/// friction; everybody spins.
-SmallScene with_friction(SmallScene small) {
-  Scene& scene = small.scene;
-  const auto blocking =
-      std::ranges::find_if(scene.pairs, [](const PairLaw& law) { return law.blocking.has_value(); });
-  if (blocking == scene.pairs.end()) return small;
-  const double radius = blocking->blocking->distance / 2;
-  for (Species& species : scene.species) species.radius = radius;
-  int n = static_cast<int>(scene.particles.size());
-  for (PairLaw& law : scene.pairs) {
-    if (!law.blocking || law.blocking->distance != radius + radius) continue;
-    ++n;
-    law.friction = FrictionLaw{.25 * (1 + n % 4), -1 + .5 * (n % 5)};
-  }
-  for (Particle& p : scene.particles) {
-    if (!keeps_spin(scene, p.species)) continue;
-    for (std::size_t k = 0; k < (scene.dimension == 2 ? 1U : 3U); ++k)
-      p.spin[k] = (p.id + static_cast<int>(k)) % 3 - 1 + p.velocity[k];
-  }
-  return small;
 }
 
 /// One of the two of a rebound with friction.

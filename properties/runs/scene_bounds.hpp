@@ -31,4 +31,19 @@ inline Bounds bounds_of(const Scene& scene) {
   return bounds;
 }
 
+inline double largest_radius(const Scene& scene) {
+  double radius = 0;
+  for (const Species& species : scene.species) radius = std::max(radius, species.radius);
+  return radius;
+}
+
+inline double longest_limit(const Scene& scene) {
+  double longest = 0;
+  for (const PairLaw& law : scene.pairs) {
+    if (law.blocking) longest = std::max(longest, law.blocking->distance);
+    if (law.tethering) longest = std::max(longest, law.tethering->distance);
+  }
+  return longest;
+}
+
 }  // namespace tps::properties::runs

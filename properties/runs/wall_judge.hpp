@@ -11,12 +11,6 @@
 
 namespace tps::properties::runs {
 
-inline double largest_radius(const Scene& scene) {
-  double radius = 0;
-  for (const Species& species : scene.species) radius = std::max(radius, species.radius);
-  return radius;
-}
-
 inline Real radius_of(const Scene& scene, const Replay& replay, int i) {
   return replay.stored(scene.species[at(scene.particles[at(i)].species)].radius);
 }

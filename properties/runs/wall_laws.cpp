@@ -5,30 +5,11 @@
 #include <limits>
 
 #include "properties/runs/laws.hpp"
+#include "properties/runs/outlook_scenes.hpp"
 #include "properties/runs/wall_judge.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-/// A box around everybody, wider than the particles by a multiple of their radius, and a post in its highest
-/// corner.
-SmallScene between_walls(SmallScene small) {
-  Scene& scene = small.scene;
-  const double radius = largest_radius(scene);
-  const auto count = static_cast<int>(scene.particles.size());
-  const double margin = radius * (1 + count % 3);
-  Wall box{.shape = Wall::Shape::box, .c_rebound = count % 2 == 0 ? 1 : 0.5};
-  Wall post{
-      .shape = Wall::Shape::sphere, .radius = margin / 4, .inside = false, .c_rebound = count % 4 / 4.0};
-  const Bounds bounds = bounds_of(scene);
-  for (std::size_t k = 0; k < at(scene.dimension); ++k) {
-    box.point[k] = bounds.low[k] - radius - margin;
-    box.high[k] = bounds.high[k] + radius + margin;
-    post.point[k] = box.high[k] - margin / 2;
-  }
-  scene.walls = {box, post};
-  return small;
-}
 
 /// A face of the box: n·r = L with r from a point of it.
 struct Face {

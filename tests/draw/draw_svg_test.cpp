@@ -79,7 +79,8 @@ TEST(DrawSvg, EveryCatalogueSceneIsWellFormedAndComplete) {
     const Scene scene = builder.build({});
     const std::string svg = draw_svg(scene, starts(scene), scene.tethers, {.time = 0.5});
     EXPECT_EQ(xml_objection(svg), "") << builder.name;
-    const std::set<std::string> contained{"terminal", "gas", "brownian", "sediment", "granular", "rough"};
+    const std::set<std::string> contained{
+        "terminal", "terminal-action-potential", "gas", "brownian", "sediment", "granular", "rough"};
     const std::size_t containers = contained.count(builder.name);
     EXPECT_EQ(count(svg, "class=\"container\""), containers) << builder.name;
     EXPECT_EQ(count(svg, "class=\"particle\""), scene.particles.size() - containers) << builder.name;

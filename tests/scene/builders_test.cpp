@@ -7,10 +7,12 @@
 #include <fstream>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "reference/run/run.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "verify/scenes/gas.hpp"
@@ -159,7 +161,7 @@ TEST(Builders, SeedsChangeDrawnScenesOnly) {
 }
 
 TEST(Builders, ThermalScenesHaveNoMomentumAndTheirTemperature) {
-  for (const std::string name : {"terminal", "chain", "sheet", "gas"}) {
+  for (const std::string name : {"terminal", "terminal-action-potential", "chain", "sheet", "gas"}) {
     const Scene scene = built(name, {{"temperature", "1"}});
     Coordinates momentum{};
     double twice_kinetic = 0, speed_sum = 0;
@@ -204,6 +206,22 @@ TEST(Builders, TerminalStartsIsolated) {
     EXPECT_GT(impulse.at, scene.duration / 2);
     EXPECT_LT(impulse.at, scene.duration);
   }
+}
+
+TEST(Builders, AnActionPotentialBreaksUpClustersThatFormAgain) {
+  const Scene scene = built("terminal-action-potential");
+  ASSERT_EQ(scene.phases.size(), 1U);
+  EXPECT_EQ(scene.species[static_cast<std::size_t>(scene.phases[0].species_a)].name, "vesicle");
+  EXPECT_EQ(scene.species[static_cast<std::size_t>(scene.phases[0].species_b)].name, "synapsin");
+  const auto clustered_at = [samples = run_scene(scene, {}).clusters](double t) {
+    const auto last = std::ranges::upper_bound(samples, t, {}, &ClusterSample::t) - 1;
+    return std::accumulate(last->sizes.begin(), last->sizes.end(), 0);
+  };
+  EXPECT_EQ(clustered_at(0), 0);
+  EXPECT_EQ(clustered_at(42), 37);  // as action_potential.hpp says
+  EXPECT_EQ(clustered_at(54), 0);
+  EXPECT_EQ(clustered_at(60), 0);
+  EXPECT_EQ(clustered_at(120), 27);
 }
 
 TEST(Builders, GasHasItsDensity) {

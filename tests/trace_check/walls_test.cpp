@@ -93,6 +93,42 @@ TEST(CheckOfWalls, HonestRunsConform) {
 }
 
 // Walls at rest are met in the clock of drag, in which paths are straight.
+/// A mote is pressed against a post by a ball a thousand times as heavy, far from the origin, where its place
+/// has few digits: rounding leaves it behind the surface again and again, and then it is due at once.
+TEST(CheckOfWalls, WhoIsWedgedMayBeBehindTheSurface) {
+  Scene scene = testing::plain_scene(2);
+  scene.duration = 3;
+  scene.species[0].radius = .375;
+  const int mote = testing::add_species(scene, "mote", .001, .375);
+  testing::block(scene, 0, mote, 0);
+  Wall post;
+  post.shape = Wall::Shape::sphere;
+  post.inside = false;
+  post.radius = .09375;
+  post.c_rebound = .5;
+  std::uint64_t at_once = 0;
+  for (int n = 0; n < 20; ++n) {
+    const double x = 1000 + n * 17.3, y = -1000 + n * .7;
+    post.point = {x, y, 0};
+    scene.walls = {post};
+    scene.particles.clear();
+    testing::add_particle(scene, 0, {x - 1.2, y - 1.1 - n * .003, 0}, {1, 1 - n * .01, 0});
+    testing::add_particle(scene, mote, {x - .45, y - .42, 0}, {0, 0, 0});
+    for (const Timing timing : {Timing::stable, Timing::certified}) {
+      certified::ExactTiming certifier;
+      RunOptions options = testing::options_for("double", 60);
+      options.timing = timing;
+      options.certifier = &certifier;
+      const testing::TracedRun run = testing::traced(scene, options);
+      for (const std::string& line : run.lines)
+        at_once += line.find("\"dt\":\"0x0p+0\",\"kind\":\"wall\"") != std::string::npos ? 1U : 0U;
+      const check::CheckReport report = checked(run.bytes);
+      ASSERT_TRUE(report.conforming()) << n << ": " << first_finding(report);
+    }
+  }
+  EXPECT_GT(at_once, 10U);
+}
+
 TEST(CheckOfWalls, HonestRunsWithDragConform) {
   for (const Timing timing : {Timing::stable, Timing::certified}) {
     Scene scene = walled(4);

@@ -9,6 +9,7 @@
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/draw/draw_svg.hpp"
+#include "verify/draw/seen_from.hpp"
 
 namespace tps::cli {
 
@@ -18,6 +19,7 @@ void add_draw(CLI::App& app, int&) {
     std::string output = "-";
     std::optional<double> at;
     double size = DrawOptions{}.size;
+    std::string from = "z";
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* verb =
@@ -30,6 +32,12 @@ void add_draw(CLI::App& app, int&) {
   verb->add_option("--size", a->size, "Width in pixels")
       ->check(number_from(64, 16384, "a width"))
       ->capture_default_str();
+  verb->add_option(
+          "--from", a->from,
+          "The axis that points to the viewer; from y the picture's right is z and its top x, from x "
+          "they are y and z")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->capture_default_str();
   verb->footer(
       "Example: tps run data/scenes/terminal.json -o terminal.ndjson && tps draw terminal.ndjson -o end.svg");
   verb->callback([a] {
@@ -38,7 +46,13 @@ void add_draw(CLI::App& app, int&) {
     DrawOptions options;
     options.size = a->size;
     options.time = snapshot.t;
-    write_result(a->output, draw_svg(snapshot.scene, snapshot.positions, snapshot.tethers, options));
+    const auto axis = static_cast<std::size_t>(a->from.front() - 'x');
+    if (snapshot.scene.dimension == 2 && axis != 2)
+      throw CLI::ValidationError("--from " + a->from + ": " + a->trace +
+                                 " lies in the plane of x and y and is seen from z");
+    std::vector<Coordinates> places = snapshot.positions;
+    for (Coordinates& place : places) place = seen_from(axis, place);
+    write_result(a->output, draw_svg(seen_from(axis, snapshot.scene), places, snapshot.tethers, options));
   });
 }
 

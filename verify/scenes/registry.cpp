@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "verify/scenes/action_potential.hpp"
 #include "verify/scenes/brownian.hpp"
 #include "verify/scenes/chain.hpp"
 #include "verify/scenes/cradle.hpp"
@@ -23,9 +24,10 @@ namespace tps {
 
 const std::vector<SceneBuilder>& scene_builders() {
   static const std::vector<SceneBuilder> builders{
-      terminal_builder(), chain_builder(),    sheet_builder(),    three_body_builder(),  galperin_builder(),
-      gas_builder(),      pair_builder(),     cradle_builder(),   two_anchors_builder(), ring_builder(),
-      brownian_builder(), sediment_builder(), granular_builder(), rough_builder(),
+      terminal_builder(),   action_potential_builder(), chain_builder(), sheet_builder(),
+      three_body_builder(), galperin_builder(),         gas_builder(),   pair_builder(),
+      cradle_builder(),     two_anchors_builder(),      ring_builder(),  brownian_builder(),
+      sediment_builder(),   granular_builder(),         rough_builder(),
   };
   return builders;
 }
