@@ -147,8 +147,12 @@ struct walls {
                     {}};
     for (std::size_t n = 0; n < scene.walls.size(); ++n) {
       constexpr const char* names[] = {"plane", "sphere", "box"};
-      call.because.push_back("wall " + std::to_string(n) + " (" +
-                             names[static_cast<std::size_t>(scene.walls[n].shape)] + ")");
+      const Wall& wall = scene.walls[n];
+      const char* side = wall.shape == Wall::Shape::plane ? ""
+                         : wall.inside                    ? "inside of a "
+                                                          : "outside of a ";
+      call.because.push_back("wall " + std::to_string(n) + " (" + side +
+                             names[static_cast<std::size_t>(wall.shape)] + ")");
     }
     const auto moves = [&](const Particle& p) {
       return scene.species[static_cast<std::size_t>(p.species)].mass <
