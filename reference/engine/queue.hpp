@@ -12,17 +12,9 @@
 
 namespace tps {
 
-/// Which of several events at one computed time comes first (semantics §6).
-enum class Rank : std::uint8_t {
-  restitution,
-  phase_change,
-  scheduled_impulse,
-  gravity,
-  random_impulse,
-  thermostat,
-  wall,
-  collision,
-};
+/// Which of several events at one computed time comes first (semantics §6). What an effect knows in advance
+/// has a rank of its own between restitution and wall, which stands in the effect's file.
+enum class Rank : std::uint8_t { restitution = 0, wall = 60, collision = 70 };
 
 /// An event that will happen unless one of its particles changes first.
 template <typename Scalar>

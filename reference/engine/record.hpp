@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "reference/engine/clock.hpp"
@@ -25,6 +26,13 @@ struct SpinChange {
   std::vector<Scalar> before, after;
 };
 
+/// A field that events of one effect alone have: a whole number, a word, or numbers.
+template <typename Scalar>
+struct OwnField {
+  std::string_view key;
+  std::variant<std::int64_t, std::string_view, std::vector<Scalar>> value;
+};
+
 /// What some effects add to the record of an event, beside what every run has. One an effect, which keeps it
 /// until its next event: a run that calls for none of them has a null pointer for all of it.
 template <typename Scalar, int D>
@@ -37,6 +45,7 @@ struct Addition {
   std::optional<int> phase;                    ///< phases: which one
   std::optional<std::size_t> wall;             ///< walls: of the scene
   std::optional<int> face;                     ///< walls: of a box
+  std::vector<OwnField<Scalar>> own;           ///< effects that a program brings along
 };
 
 enum class TetherChange { none, formed, broken };

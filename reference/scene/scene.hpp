@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tps {
@@ -179,6 +183,26 @@ struct ClusterObservation {
   bool operator==(const ClusterObservation&) const = default;
 };
 
+/// What a scene has under a key that an effect brings along (scene_key.hpp).
+class SceneSection {
+ public:
+  virtual ~SceneSection() = default;
+  /// Its value as JSON, in one line. Two sections are the same if this is.
+  virtual std::string json() const = 0;
+};
+
+/// A section, shared by the copies of its scene.
+class SharedSection {
+ public:
+  explicit SharedSection(std::shared_ptr<const SceneSection> section) : section_(std::move(section)) {}
+  const SceneSection* get() const { return section_.get(); }
+  const SceneSection* operator->() const { return section_.get(); }
+  bool operator==(const SharedSection& other) const { return section_->json() == other->json(); }
+
+ private:
+  std::shared_ptr<const SceneSection> section_;
+};
+
 struct Scene {
   std::string title;
   int dimension = 3;
@@ -198,6 +222,7 @@ struct Scene {
   std::vector<Tether>
       tethers;  ///< formed at the start; permanent ones are implied by their law, never listed
   std::optional<ClusterObservation> clusters;
+  std::map<std::string, SharedSection, std::less<>> sections;  ///< by key, of effects with one of their own
   bool operator==(const Scene&) const = default;
 };
 

@@ -58,6 +58,7 @@ class Writer {
     if (scene_.box) members.emplace_back("box", object({{"periodic", vector(scene_.box->edges)}}));
     if (!scene_.phases.empty()) members.emplace_back("phases", lines(scene_.phases));
     if (!scene_.impulses.empty()) members.emplace_back("impulses", lines(scene_.impulses));
+    for (const auto& [key, section] : scene_.sections) members.emplace_back(key, section->json());
     members.emplace_back("particles", lines(scene_.particles));
     if (!scene_.tethers.empty()) members.emplace_back("tethers", lines(scene_.tethers));
     if (scene_.clusters) members.emplace_back("observe", object({{"clusters", entry(*scene_.clusters)}}));

@@ -238,7 +238,9 @@ class Validation {
 
 }  // namespace
 
-Schema::Schema(std::string_view text, const std::string& name) : document_(parse_json(text, name)) {
+Schema::Schema(std::string_view text, const std::string& name) : Schema(parse_json(text, name), name) {}
+
+Schema::Schema(JsonDocument document, const std::string& name) : document_(std::move(document)) {
   require_supported_schema(document_.root, name);
 }
 

@@ -28,6 +28,7 @@ class Schema {
  public:
   /// REQUIRES a schema within the part above: anything else throws std::logic_error that names the place.
   Schema(std::string_view text, const std::string& name);
+  Schema(JsonDocument document, const std::string& name);
 
   /// Adds everything that is wrong with `value` to `problems`; `prefix` is the JSON pointer of `value` in its
   /// file. A value of the wrong type is reported once, not looked into.

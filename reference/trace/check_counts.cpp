@@ -3,40 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
 #include <string>
 
+#include "reference/engine/effect_facts.hpp"
 #include "reference/trace/exact_text.hpp"
 
 namespace tps {
 namespace {
 
-template <typename Range, typename Calls>
-bool any(const Range& range, Calls calls) {
-  return std::any_of(range.begin(), range.end(), calls);
-}
-
-/// What the effects that a scene calls for keep in a state for the summary.
-std::vector<std::string> quantities_of_effects(const Scene& scene) {
-  std::vector<std::string> names;
-  if (scene.drag) names = {"drag_lost", "drag_taken", "drag_since"};
-  if (scene.gravity) names.emplace_back("gravity_work");
-  if (!scene.walls.empty()) names.insert(names.end(), {"walls_lost", "walls_work"});
-  if (any(scene.species, [](const Species& s) { return s.random_impulses.has_value(); }))
-    names.emplace_back("random_impulses_heat");
-  if (any(scene.species, [](const Species& s) { return s.thermostat.has_value(); }))
-    names.emplace_back("thermostat_heat");
-  if (any(scene.pairs, [](const PairLaw& law) { return law.friction.has_value(); }))
-    names.emplace_back("friction_lost");
-  return names;
-}
-
 class CountCheck {
  public:
   CountCheck(const Scene& scene, const StateData& state, StateOf whose)
-      : scene_(scene), state_(state), whose_(whose) {}
+      : scene_(scene), state_(state), whose_(whose), effects_(effect_facts(scene)) {}
 
   std::vector<StateProblem> run() {
     check_progress();
@@ -52,33 +31,33 @@ class CountCheck {
   }
 
   void check_progress() {
-    for (const auto& [effect, done] : state_.progress) {
-      const std::string pointer = "/progress/" + effect;
-      if (effect == "phases") {
-        const auto ending = std::count_if(scene_.phases.begin(), scene_.phases.end(),
-                                          [](const Phase& phase) { return std::isfinite(phase.until); });
-        demand(done <= scene_.phases.size() + static_cast<std::size_t>(ending), pointer,
-               "is more than the phases of the scene begin and end");
-      } else if (effect == "scheduled_impulses") {
-        demand(done <= scene_.impulses.size(), pointer, "is more than the impulses of the scene");
-      } else if (effect == "gravity") {
-        demand(scene_.gravity.has_value() && done <= state_.k, pointer, "is more than the events of the run");
-      } else {
+    for (const auto& [name, done] : state_.progress) {
+      const auto effect = std::find_if(effects_.begin(), effects_.end(), [&](const EffectFacts& e) {
+        return e.name == name && e.records.known;
+      });
+      const std::string pointer = "/progress/" + name;
+      if (effect == effects_.end()) {
         demand(false, pointer, "is no effect with events known in advance");
+      } else {
+        const EffectRecords::Known& known = *effect->records.known;
+        demand(done <= std::min(known.most, state_.k), pointer, known.too_many);
       }
     }
   }
 
+  static bool is_kind(const std::string& name) {
+    const auto& kinds = event_kinds();
+    return std::any_of(kinds.begin(), kinds.end(),
+                       [&](const KindOfEffect& k) { return k.kind.name == name; });
+  }
+
   void check_counts() {
-    static const std::set<std::string, std::less<>> kinds = {
-        "rebound",        "retract",    "revolve", "break",       "restitute", "scheduled_impulse",
-        "random_impulse", "thermostat", "gravity", "phase_begin", "phase_end", "wall"};
     static const std::vector<std::string> counters = {"#noise", "#first_noise", "#zero_impulse",
                                                       "#largest_group"};
     std::uint64_t events = 0;
     for (const auto& [name, count] : state_.counts) {
       const bool is_counter = std::find(counters.begin(), counters.end(), name) != counters.end();
-      demand(is_counter || kinds.contains(name), "/counts/" + name, "is nothing that a run counts");
+      demand(is_counter || is_kind(name), "/counts/" + name, "is nothing that a run counts");
       demand(count <= state_.k || name == "#largest_group", "/counts/" + name, "is more than all events");
       if (!is_counter && count <= state_.k) events += count;
     }
@@ -104,7 +83,10 @@ class CountCheck {
       sizes[fmt::format("from_walls_{}", k)] = 2;
       sizes[fmt::format("from_outside_{}", k)] = 2;
     }
-    for (const std::string& name : quantities_of_effects(scene_)) sizes[name] = 2;
+    for (const EffectFacts& effect : effects_) {
+      if (!effect.called) continue;
+      for (const EffectRecords::Quantity& q : effect.records.quantities) sizes[q.name] = q.size;
+    }
     for (const auto& [name, numbers] : state_.quantities) {
       const auto known = sizes.find(name);
       demand(known != sizes.end(), "/quantities/" + name, "is no quantity of a run");
@@ -127,6 +109,7 @@ class CountCheck {
   const Scene& scene_;
   const StateData& state_;
   StateOf whose_;
+  std::vector<EffectFacts> effects_;
   std::vector<StateProblem> problems_;
 };
 

@@ -219,6 +219,8 @@ class StateCheck {
 
   void check_draws() {
     std::set<std::tuple<int, int, int>> seen;
+    if (state_.draws.empty()) return;
+    const std::vector<EffectFacts> effects = effect_facts(scene_);
     for (std::size_t n = 0; n < state_.draws.size(); ++n) {
       const StateData::Draws& d = state_.draws[n];
       const std::string pointer = fmt::format("/draws/{}", n);
@@ -226,16 +228,19 @@ class StateCheck {
       const auto j = index(d.second, pointer);
       const auto is_for = [&](Purpose purpose) { return d.purpose == static_cast<int>(purpose); };
       const bool of_tethers = is_for(Purpose::tether_form) || is_for(Purpose::tether_break);
-      const bool of_kicks = is_for(Purpose::random_impulse) || is_for(Purpose::thermostat);
-      demand(of_tethers || of_kicks, pointer, fmt::format("purpose {} is no purpose of a draw", d.purpose));
+      const auto effect = std::find_if(effects.begin(), effects.end(), [&](const EffectFacts& e) {
+        return e.records.draws && is_for(e.records.draws->purpose);
+      });
+      const bool of_effect = effect != effects.end();
+      demand(of_tethers || of_effect, pointer, fmt::format("purpose {} is no purpose of a draw", d.purpose));
       if (!i || !j) continue;
       if (of_tethers)
         demand(*i < *j && has_limit(*i, *j, true), pointer,
                fmt::format("particles {} and {} draw for no tether", d.first, d.second));
-      if (of_kicks) {
-        const bool kicked = is_for(Purpose::thermostat) ? species(*i).thermostat.has_value()
-                                                        : species(*i).random_impulses.has_value();
-        demand(*i == *j && kicked, pointer,
+      if (of_effect) {
+        const bool draws =
+            effect->records.draws->draws(scene_, scene_.particles[static_cast<std::size_t>(*i)]);
+        demand(*i == *j && draws, pointer,
                fmt::format("particle {} gets no impulses at random times", d.first));
       }
       demand(seen.emplace(d.purpose, *i, *j).second, pointer, "stands twice");

@@ -144,6 +144,27 @@ inline void put_members(Pen& pen, const Scene& scene, const std::vector<int>& me
   pen.put(']');
 }
 
+template <typename Scalar>
+void put_own(Pen& pen, const OwnField<Scalar>& field) {
+  pen.put(",\"");
+  pen.put_text(field.key);
+  pen.put("\":");
+  if (const auto* whole = std::get_if<std::int64_t>(&field.value)) {
+    pen.put_natural(*whole);
+  } else if (const auto* word = std::get_if<std::string_view>(&field.value)) {
+    pen.put('"');
+    pen.put_text(*word);
+    pen.put('"');
+  } else {
+    const auto& numbers = std::get<std::vector<Scalar>>(field.value);
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      pen.put_text(n == 0 ? "[\"" : "\",\"");
+      pen.put_hex(numbers[n]);
+    }
+    pen.put_text(numbers.empty() ? "[]" : "\"]");
+  }
+}
+
 }  // namespace detail
 
 /// Appends one event as a line of JSON, with its end.
@@ -174,6 +195,7 @@ void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>
   if (added != nullptr) {
     detail::put_member<Scalar, D>(pen, ",\"dv\":", added->dv);
     detail::put_member<Scalar, D>(pen, ",\"dp_stored\":", added->dp_stored);
+    for (const OwnField<Scalar>& field : added->own) detail::put_own(pen, field);
     if (added->sticks) pen.put_text(*added->sticks ? ",\"contact\":\"sticks\"" : ",\"contact\":\"slides\"");
   }
   if (record.tether == TetherChange::formed) pen.put(",\"tether\":\"formed\"");

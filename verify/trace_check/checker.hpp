@@ -16,9 +16,9 @@
 #include "verify/trace_check/rules/flight.hpp"
 #include "verify/trace_check/rules/friction.hpp"
 #include "verify/trace_check/rules/groups.hpp"
+#include "verify/trace_check/rules/known_events.hpp"
 #include "verify/trace_check/rules/order.hpp"
 #include "verify/trace_check/rules/progress.hpp"
-#include "verify/trace_check/rules/scheduled.hpp"
 #include "verify/trace_check/rules/states.hpp"
 #include "verify/trace_check/rules/tethers.hpp"
 #include "verify/trace_check/rules/wall_rebound.hpp"
@@ -32,8 +32,8 @@ struct Waits {
   Border<Number> border;
   StepNumber step = 0;
   std::vector<StepNumber> changed_at;  ///< the step in which a particle began its flight; walls: none
-  StepNumber phase_at = 0;             ///< the step of the last one
-  std::map<std::pair<Kind, int>, StepNumber> kick_at;  ///< likewise; of random ones by particle, else −1
+  /// The step of an effect's last event, by whom it waits for.
+  std::map<std::pair<std::string_view, int>, StepNumber> acted_at;
 };
 
 /// Where a check begins that does not begin at the start.
@@ -82,6 +82,7 @@ class Checker {
   Turn<Number> turn_of_event(const EventLine<Number>& event);
   Turn<Number> turn_at_wall(const EventLine<Number>& event);
   void take_turn(const EventLine<Number>& event);
+  void say_unknown(Kind kind);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
 
   static std::optional<Border<Number>> border_of(const std::optional<TakenUp<Number>>& taken_up,
@@ -109,8 +110,6 @@ class Checker {
   std::vector<int> changing(const EventLine<Number>& event) const;
   void follow(const EventLine<Number>& event);
   void follow_load(const EventLine<Number>& event);
-  void follow_gravity(const EventLine<Number>& event);
-  void count_draw(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
   W speeds_of(int i, int j) const;
   void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
@@ -135,7 +134,6 @@ class Checker {
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
   BelowRounding below_rounding_;
-  bool own_draws_;
   bool state_holds_ = false;  ///< the last full state is what the events made
   bool ended_ = false;
 };

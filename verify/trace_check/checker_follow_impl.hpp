@@ -118,11 +118,10 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
   } else if (is_collision(event.kind) && !model_.groups.together(event.i, event.j)) {
     model_.note_response(event.i, event.j, event.kind != Kind::rebound, speeds);
   }
-  if (is_phase(event.kind) && model_.phases_done < model_.phase_changes.size()) model_.apply_phase_change();
-  if (event.kind == Kind::gravity) follow_gravity(event);
-  if (is_outside(event.kind)) {
-    if (next_kick(context_, event.kind)) model_.kicks.take(event.kind);
-    count_draw(event);
+  if (EffectRules<Number>* effect = model_.effect_of(event.kind)) {
+    effect->follow(context_, event,
+                   [&](int i, const Vec<Number>& velocity) { begin_flight(event, i, velocity); });
+    if (effect->next(context_)) effect->pass(context_);
   }
   model_.now = event.t;
   for (const int i : changed) {
@@ -132,36 +131,6 @@ void Checker<Number>::follow(const EventLine<Number>& event) {
     for (const int whose : with_agenda_) agendas_[Model<Number>::at(whose)]->begins_flight(i);
     place(i, event.t);
   }
-}
-
-/// Velocities are in no line: the sum v + Δv, rounded once. Bodies that are grounded keep theirs.
-template <typename Number>
-void Checker<Number>::follow_gravity(const EventLine<Number>& event) {
-  const std::optional<OutsideKick> next = next_kick(context_, Kind::gravity);
-  Vec<Number> change;
-  if (event.dv) {
-    change = *event.dv;
-  } else if (next) {
-    const Vec<W> right = gravity_change(context_);
-    for (std::size_t k = 0; k < 3; ++k) change[k] = Number(right[k]);
-  }
-  for (int i = 0; i < model_.size(); ++i) {
-    if (model_.fixed(i)) continue;
-    Vec<Number> velocity = model_.flight(i).velocity;
-    if (model_.inverse_mass(i) != W(0)) {
-      for (std::size_t k = 0; k < 3; ++k)
-        velocity[k] = sum_in_scalar(velocity[k], change[k], model_.precision);
-    }
-    begin_flight(event, i, velocity);
-  }
-}
-
-/// Random kicks of a particle are counted where draws are, by purpose and id.
-template <typename Number>
-void Checker<Number>::count_draw(const EventLine<Number>& event) {
-  if (event.kind != Kind::random_impulse && event.kind != Kind::thermostat) return;
-  const Purpose purpose = event.kind == Kind::thermostat ? Purpose::thermostat : Purpose::random_impulse;
-  ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.i)}];
 }
 
 }  // namespace tps::check

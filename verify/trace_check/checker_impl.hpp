@@ -2,6 +2,7 @@
 #pragma once
 
 #include "verify/trace_check/checker.hpp"
+#include "verify/trace_check/effect_rules_catalogue.hpp"
 
 namespace tps::check {
 
@@ -26,13 +27,13 @@ Checker<Number>::Checker(const TraceFacts& facts, const Precision<Number>& preci
       permanent_(facts.scene.particles.size()),
       agendas_(facts.scene.particles.size()),
       looks_(facts.scene.particles.size(), 0),
-      told_(facts.scene.particles.size()),
-      own_draws_(facts.own_draws) {
+      told_(facts.scene.particles.size()) {
   const Scene& scene = facts.scene;
   model_.eager = facts.eager;
+  model_.effects = all_effect_rules<Number>(facts.scene);
   waits_.changed_at.resize(scene.particles.size(), 0);
   if (taken_up) {
-    restore(model_, taken_up->state, own_draws_);
+    restore(context_, taken_up->state);
     if (taken_up->waits != nullptr) waits_ = *taken_up->waits;
   }
   for (std::size_t k = 0; model_.edges && k < 3; ++k) edges_[k] = as_double((*model_.edges)[k]);
@@ -74,20 +75,14 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
   if (event.kind == Kind::restitute) {
     const Body<Number>* body = model_.groups.with_root(event.i, event.j);
-    if (body == nullptr) return known_turn(c, event.t, rank(event.kind), event.i);
+    if (body == nullptr) return known_turn(c, event.t, kRankOfRestitution, event.i);
     Turn<Number> turn = turn_of(c, *body);
     turn.t = event.t;
     return turn;
   }
-  if (is_phase(event.kind)) {
-    const bool is_known = model_.phases_done < model_.phase_changes.size();
-    Turn<Number> turn = is_known ? turn_of_phase(c) : known_turn(c, event.t, rank(event.kind));
-    turn.t = event.t;
-    return turn;
-  }
-  if (is_outside(event.kind)) {
-    const std::optional<OutsideKick> kick = next_kick(c, event.kind);
-    Turn<Number> turn = kick ? turn_of_kick(c, event.kind, *kick) : known_turn(c, event.t, rank(event.kind));
+  if (const EffectRules<Number>* effect = model_.effect_of(event.kind)) {
+    const std::optional<EventAhead> ahead = effect->next(c);
+    Turn<Number> turn = ahead ? turn_of(c, *effect, *ahead) : known_turn(c, event.t, effect->rank());
     turn.t = event.t;
     return turn;
   }
@@ -104,7 +99,7 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
       }
     }
   }
-  Turn<Number> turn = known_turn(c, event.t, rank(event.kind));
+  Turn<Number> turn = known_turn(c, event.t, kRankOfPair);
   turn.first = event.i;
   turn.second = event.j;
   return turn;
@@ -114,7 +109,7 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
 template <typename Number>
 Turn<Number> Checker<Number>::turn_at_wall(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
-  Turn<Number> turn = known_turn(c, event.t, rank(event.kind), event.i);
+  Turn<Number> turn = known_turn(c, event.t, kRankAtWall, event.i);
   if constexpr (std::is_same_v<Number, double>) {
     const std::optional<std::size_t> n = model_.wall_of(event);
     if (c.certified() && n && !model_.fixed(event.i)) {
@@ -126,32 +121,38 @@ Turn<Number> Checker<Number>::turn_at_wall(const EventLine<Number>& event) {
   return turn;
 }
 
+/// Of a kind whose effect a program brought along without rules, or not in the numbers of this trace.
+template <typename Number>
+void Checker<Number>::say_unknown(Kind kind) {
+  const std::string why =
+      fmt::format("the check has no rules for events of kind {} in this scalar", name(kind));
+  for (const Rule rule : {Rule::order, Rule::impulse, Rule::earliest}) tally_.not_judged(rule, why);
+}
+
 /// Judges whether it was this event's turn, and whether that of anything known in advance had come before.
 /// The nodes of one restitution are one step.
 template <typename Number>
 void Checker<Number>::take_turn(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
   if (!model_.groups.parting().empty()) return;
+  if (is_of_effect(event.kind) && model_.effect_of(event.kind) == nullptr) return say_unknown(event.kind);
   ++waits_.step;
   const Turn<Number> turn = turn_of_event(event);
   const auto changed_at = [this](int i) {
     return i < 0 ? StepNumber(0) : waits_.changed_at[Model<Number>::at(i)];
   };
   StepNumber since = std::max(changed_at(turn.first), changed_at(turn.second));
-  if (is_phase(event.kind)) since = std::exchange(waits_.phase_at, waits_.step);
-  if (is_outside(event.kind)) {
-    const bool is_random = is_kick(event.kind) &&
-                           event.kind != Kind::scheduled_impulse;  // each particle's own waits from its last
-    since = std::exchange(waits_.kick_at[{event.kind, is_random ? event.i : -1}], waits_.step);
-  }
+  const EffectRules<Number>* effect = model_.effect_of(event.kind);
+  if (effect != nullptr)
+    since = std::exchange(waits_.acted_at[{effect->effect(), effect->waits_for(event)}], waits_.step);
   if (event.t < model_.now) turns_.forget();
   judge_turn(c, event, turn, since);
   turns_.happened(waits_.step, turn);
   judge_known_events(c, event, turn);
 }
 
-/// Who begins a new flight at an event: those listed; at a restitution both sides of the node, under gravity
-/// everybody.
+/// Who begins a new flight at an event: those listed; at a restitution both sides of the node, at some
+/// effects' everybody.
 template <typename Number>
 std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const {
   std::vector<int> all;
@@ -160,7 +161,8 @@ std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const
     if (const Body<Number>* body = model_.groups.with_root(event.i, event.j))
       all.insert(all.end(), body->members.begin(), body->members.end());
   }
-  if (event.kind == Kind::gravity) {
+  const EffectRules<Number>* effect = model_.effect_of(event.kind);
+  if (effect != nullptr && effect->moves_everybody()) {
     for (int i = 0; i < model_.size(); ++i) {
       if (!model_.fixed(i)) all.push_back(i);
     }
@@ -226,13 +228,9 @@ void Checker<Number>::take(const EventLine<Number>& event) {
     judge_members(c, event, false, Expected<W>{});
     judge_restitution(c, event, *bodies_);
   }
-  if (is_kick(event.kind)) {
-    judge_members(c, event, false, Expected<W>{});
-    judge_kick(c, event);
-  }
+  if (is_kick(event.kind)) judge_members(c, event, false, Expected<W>{});
   if (event.kind == Kind::wall) judge_wall_rebound(c, event);
-  if (event.kind == Kind::gravity) judge_gravity(c, event);
-  if (is_phase(event.kind)) judge_phase(c, event);
+  if (const EffectRules<Number>* effect = model_.effect_of(event.kind)) effect->judge(c, event);
 
   earliest_held_ = bounds_held_ = true;
   if (!(event.t < model_.now)) {

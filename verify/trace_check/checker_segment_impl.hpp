@@ -15,7 +15,7 @@ std::optional<Border<Number>> Checker<Number>::border_of(const std::optional<Tak
 
 template <typename Number>
 bool Checker<Number>::ends_segment() {
-  if (ended_ || !state_holds_ || !is_whole_in_state(model_, own_draws_)) return false;
+  if (ended_ || !state_holds_ || !is_whole_in_state(context_)) return false;
   judge_until_end(model_.now, Until::last_event);
   return std::ranges::all_of(told_, [](const std::map<int, Told>& told) { return told.empty(); });
 }

@@ -3,12 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/line_values.hpp"
 
 namespace tps::check {
+
+/// Keys that the reader knows, whatever the effects are. Another one is a field of an effect's own.
+inline const std::vector<std::string>& event_keys() {
+  static const std::vector<std::string> keys = {
+      "k",         "t",  "dt",     "kind", "i",       "j", "phase", "pre",  "post", "dp",
+      "dp_stored", "dv", "tether", "draw", "members", "s", "ds",    "wall", "face", "contact"};
+  return keys;
+}
 
 /// Throws LineProblem. `minimal` as the trace's header says; `drag` whether its scene has drag, whose clock
 /// is s.
@@ -26,7 +37,11 @@ class EventDemands {
     own(e_.phase.has_value(), "phase");
     own(e_.wall.has_value(), "wall");
     if (!minimal_ || e_.dv) own(e_.dv.has_value(), "dv");
-    forbid(e_.face && row_.own_key != "wall", "face");
+    forbid(e_.face && e_.kind != Kind::wall, "face");
+    for (const OwnValue<Number>& value : e_.own) forbid(!row_.owns(value.key), value.key);
+    for (const std::string_view key : row_.own_keys) {
+      if (!is_common(key)) need(minimal_ || e_.value_of(key) != nullptr, key);
+    }
     if (row_.about == About::pair || row_.about == About::particle) {
       particles();
       impulses();
@@ -68,9 +83,12 @@ class EventDemands {
     if (e_.formed && !*e_.formed && e_.kind != Kind::broken) problem("tether", "breaks at a break only");
   }
 
+  static bool is_common(std::string_view key) {
+    return std::find(event_keys().begin(), event_keys().end(), key) != event_keys().end();
+  }
   void own(bool there, std::string_view key) const {
-    need(there || row_.own_key != key, key);
-    forbid(there && row_.own_key != key, key);
+    need(there || !row_.owns(key), key);
+    forbid(there && !row_.owns(key), key);
   }
   void need(bool there, std::string_view key) const {
     if (!there) problem(kLine, fmt::format("lacks \"{}\", which a {} has", key, row_.name));

@@ -23,6 +23,13 @@ struct InvolvedParticle {
   std::optional<Vec<Number>> spin_before = {}, spin_after = {};  ///< in the plane along z
 };
 
+/// Of an effect's own: a whole number, a word, or numbers.
+template <typename Number>
+struct OwnValue {
+  std::string key;
+  std::variant<std::int64_t, std::string, std::vector<Number>> value;
+};
+
 template <typename Number>
 struct EventLine {
   std::optional<std::uint64_t> k;
@@ -40,7 +47,14 @@ struct EventLine {
   std::optional<bool> formed;  ///< true: a tether formed, false: it broke
   std::optional<double> draw;
   std::vector<int> members;
+  std::vector<OwnValue<Number>> own;
 
+  const std::variant<std::int64_t, std::string, std::vector<Number>>* value_of(std::string_view key) const {
+    for (const OwnValue<Number>& value : own) {
+      if (value.key == key) return &value.value;
+    }
+    return nullptr;
+  }
   const InvolvedParticle<Number>* of(int particle) const { return find(involved, particle); }
   InvolvedParticle<Number>* of(int particle) { return find(involved, particle); }
 

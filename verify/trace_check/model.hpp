@@ -7,10 +7,10 @@
 #include <string>
 
 #include "reference/scene/random.hpp"
+#include "verify/trace_check/effect_rules.hpp"
 #include "verify/trace_check/flight_in_doubles.hpp"
 #include "verify/trace_check/group_model.hpp"
 #include "verify/trace_check/line.hpp"
-#include "verify/trace_check/outside_kicks.hpp"
 #include "verify/trace_check/pair_rules.hpp"
 #include "verify/trace_check/wall_model.hpp"
 
@@ -23,13 +23,6 @@ struct Flight {
   Instant<Number> since;
   Work<Number> blur{0};      ///< how far the position may be off: where the trace does not record it
   std::uint64_t events = 0;  ///< of the run when it began
-};
-
-/// A phase that begins or ends.
-struct PhaseChange {
-  double at;
-  bool opens;
-  std::size_t phase;
 };
 
 template <typename Number>
@@ -50,11 +43,9 @@ class Model {
   std::vector<Vec<Number>> spins;              ///< of all, where some pair has friction; in the plane along z
   std::vector<std::set<int>> tethers;          ///< formed or listed, by particle
   GroupModel<Number> groups;
-  std::vector<PhaseChange> phase_changes;  ///< in their order
-  OutsideKicks kicks;
-  std::size_t phases_done = 0;
+  std::vector<std::unique_ptr<EffectRules<Number>>> effects;  ///< by rank
   std::map<std::array<int, 3>, std::uint32_t> draws;
-  std::array<std::uint64_t, std::size(kKinds)> kinds{};  ///< events so far, by kind
+  std::vector<std::uint64_t> kinds = std::vector<std::uint64_t>(check::kinds().size());  ///< events so far
   std::uint64_t events = 0;
   Instant<Number> now;               ///< of the last event
   Instant<Number> asked;             ///< of the line that is being judged
@@ -92,6 +83,14 @@ class Model {
       if (event.wall == static_cast<int>(surface.wall) && event.face == surface.face) return n;
     }
     return std::nullopt;
+  }
+  /// Who judges the events of a kind; null where the check does so itself, or nobody can.
+  EffectRules<Number>* effect_of(Kind kind) const {
+    if (!is_of_effect(kind)) return nullptr;
+    for (const auto& effect : effects) {
+      if (effect->effect() == row(kind).effect) return effect.get();
+    }
+    return nullptr;
   }
   std::vector<int> members(int i) const {
     if (fixed(i)) return {};
@@ -175,8 +174,6 @@ class Model {
     flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, blur == W(0));
   }
 
-  void apply_phase_change();
-
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
  private:
@@ -186,7 +183,6 @@ class Model {
 
   std::vector<FlightInDoubles> flights_in_doubles_;
   std::vector<Responses> responded_;
-  std::vector<bool> phase_is_open_;
 };
 
 template <typename Number>
@@ -197,9 +193,7 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
       walls(wall_models(scene_in, precision_in)),
       tethers(scene_in.particles.size()),
       groups(scene_in.particles.size()),
-      kicks(scene_in),
-      responded_(scene_in.particles.size()),
-      phase_is_open_(scene_in.phases.size(), false) {
+      responded_(scene_in.particles.size()) {
   const auto lifted = [&](const Coordinates& x) {
     return Vec<Number>{
         {stored<Number>(x[0], precision), stored<Number>(x[1], precision), stored<Number>(x[2], precision)}};
@@ -224,38 +218,6 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
     for (std::size_t k = 0; k < 3; ++k) {
       const double edge = scene.box->edges[k];
       (*edges)[k] = std::isinf(edge) ? Number(0) : stored<Number>(edge, precision);
-    }
-  }
-  for (std::size_t n = 0; n < scene.phases.size(); ++n) {
-    phase_changes.push_back({scene.phases[n].from, true, n});
-    if (!std::isinf(scene.phases[n].until)) phase_changes.push_back({scene.phases[n].until, false, n});
-  }
-  // At one time, windows close before others open.
-  std::sort(phase_changes.begin(), phase_changes.end(), [](const PhaseChange& a, const PhaseChange& b) {
-    return std::tie(a.at, a.opens, a.phase) < std::tie(b.at, b.opens, b.phase);
-  });
-}
-
-template <typename Number>
-void Model<Number>::apply_phase_change() {
-  const PhaseChange& change = phase_changes[phases_done++];
-  phase_is_open_[change.phase] = change.opens;
-  const Phase& changed = scene.phases[change.phase];
-  for (const PairLaw& law : scene.pairs) {
-    if (law.species_a != changed.species_a || law.species_b != changed.species_b) continue;
-    FormRule form = law.tethering->form;
-    BreakRule breaks = law.tethering->breaks;
-    for (std::size_t n = 0; n < scene.phases.size(); ++n) {
-      const Phase& phase = scene.phases[n];
-      if (!phase_is_open_[n] || phase.species_a != law.species_a || phase.species_b != law.species_b)
-        continue;
-      if (phase.form) form = *phase.form;
-      if (phase.breaks) breaks = *phase.breaks;
-    }
-    for (PairRules<Number>* pair :
-         {&rules.at(law.species_a, law.species_b), &rules.at(law.species_b, law.species_a)}) {
-      pair->form = form;
-      pair->breaks = breaks;
     }
   }
 }

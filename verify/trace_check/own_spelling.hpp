@@ -143,7 +143,7 @@ class OwnSpelling {
 
  private:
   static bool kind_named(std::string_view name, Kind& kind) {
-    for (const KindRow& known : kKinds) {
+    for (const KindRow& known : kinds()) {
       if (known.name != name) continue;
       kind = known.kind;
       return true;

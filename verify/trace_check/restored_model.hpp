@@ -5,25 +5,25 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "verify/trace_check/model.hpp"
+#include "verify/trace_check/context.hpp"
 #include "verify/trace_check/state_values.hpp"
 
 namespace tps::check {
 
 /// What of a model its full state does not hold: bodies have the speeds before their loads.
 template <typename Number>
-bool is_whole_in_state(const Model<Number>& model, bool own_draws) {
-  const auto is_counted = [&](Kind kind) {
-    return model.kicks.taken(kind) == (own_draws ? model.kinds[static_cast<std::size_t>(kind)] : 0);
-  };
-  return model.groups.size() == 0 && is_counted(Kind::random_impulse) && is_counted(Kind::thermostat);
+bool is_whole_in_state(const Context<Number>& c) {
+  return c.model.groups.size() == 0 && std::ranges::all_of(c.model.effects, [&](const auto& effect) {
+           return effect->is_whole_in_state(c);
+         });
 }
 
 /// Puts a model that is at the start of its scene where a full state is. Of pairs that have responded the
 /// speeds before that are not known; those after it stand for them. REQUIRES no bodies in the state. Throws
 /// std::exception where it is no state of the scene.
 template <typename Number>
-void restore(Model<Number>& model, const StateData& state, bool own_draws) {
+void restore(const Context<Number>& c, const StateData& state) {
+  Model<Number>& model = c.model;
   const auto at = [](int n) { return Model<Number>::at(n); };
   if (!state.groups.empty()) throw std::runtime_error("bodies are not taken up");
   std::unordered_map<std::int32_t, int> index_of;
@@ -50,25 +50,13 @@ void restore(Model<Number>& model, const StateData& state, bool own_draws) {
                             length(widened<Work<Number>>(model.flight(j).velocity)));
   }
   for (const StateData::Draws& d : state.draws) model.draws[{d.purpose, d.first, d.second}] = d.used;
-  const auto done = [](const auto& counts, std::string_view name) {
-    const auto found = counts.find(std::string(name));
-    return found == counts.end() ? std::uint64_t{0} : found->second;
-  };
-  for (const KindRow& known : kKinds) {
-    const std::uint64_t count = done(state.counts, known.name);
+  for (const KindRow& known : kinds()) {
+    const auto found = state.counts.find(known.name);
+    const std::uint64_t count = found == state.counts.end() ? 0 : found->second;
     if (count > state.k) throw std::out_of_range("more events of a kind than events");
     model.kinds[static_cast<std::size_t>(known.kind)] = count;
   }
-  for (std::uint64_t n = 0; n < done(state.progress, "phases"); ++n) {
-    if (model.phases_done == model.phase_changes.size())
-      throw std::out_of_range("the scene has fewer phases");
-    model.apply_phase_change();
-  }
-  model.kicks.pass_over(Kind::scheduled_impulse, done(state.progress, "scheduled_impulses"));
-  model.kicks.pass_over(Kind::gravity, done(state.progress, "gravity"));
-  for (const Kind kind : {Kind::random_impulse, Kind::thermostat}) {
-    if (own_draws) model.kicks.pass_over(kind, model.kinds[static_cast<std::size_t>(kind)]);
-  }
+  for (const auto& effect : model.effects) effect->pass_over(c, effect->events_in(c, state));
 }
 
 }  // namespace tps::check

@@ -20,7 +20,7 @@ template <typename Number>
 struct Turn {
   Instant<Number> t;             ///< computed, which is what a trace records
   std::optional<Moment> moment;  ///< under certified timing
-  int rank = check::rank(Kind::rebound);
+  int rank = kRankOfPair;
   int first = -1, second = -1;  ///< particles; of a body twice its first one, of what concerns nobody −1
 };
 

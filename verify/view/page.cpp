@@ -95,7 +95,7 @@ Json description(const Playback& playback, const std::vector<ShownFinding>& find
         playback.all_events, playback.one_of));
   }
   Json kinds = Json::array();
-  for (const check::KindRow& kind : check::kKinds) kinds.push_back(kind.name);
+  for (const check::KindRow& kind : check::kinds()) kinds.push_back(kind.name);
   return {{"title", printable(scene.title, kLongestLabel)},
           {"dimension", scene.dimension},
           {"scalar", playback.scalar},

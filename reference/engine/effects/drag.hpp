@@ -12,6 +12,7 @@
 
 #include "reference/engine/coupling.hpp"
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps {
@@ -113,6 +114,9 @@ struct drag {
     if (scene.drag) call.because.push_back("\"drag\"");
     call.cost = "no event; a logarithm an event for the printed time";
     return call;
+  }
+  static EffectRecords records(const Scene&) {
+    return {.quantities = {{"drag_lost"}, {"drag_taken"}, {"drag_since"}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {

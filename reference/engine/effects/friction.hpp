@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/spin_coupling.hpp"
 #include "reference/engine/state_numbers.hpp"
 
@@ -62,6 +63,7 @@ struct friction {
     call.cost = std::to_string(spinning) + " particles with a spin";
     return call;
   }
+  static EffectRecords records(const Scene&) { return {.quantities = {{"friction_lost"}}}; }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {
     return std::make_unique<FrictionEffect<Scalar, D>>();

@@ -7,7 +7,10 @@
 // between kick times.
 #pragma once
 
+#include <limits>
+
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/equations/dyadic.hpp"
 
@@ -43,6 +46,7 @@ class GravityKicks final : public Effect<Scalar, D> {
   void resume(World<Scalar, D>&, std::uint64_t progress) override { done_ = progress; }
 
  private:
+  static constexpr Rank kRank{30};
   /// The correctly rounded sum, also in scalars of software, whose subtraction errs by up to 0.75 ulp: the
   /// velocity is in no line of the trace, and whoever reads it has to get the same.
   static Scalar sum(const Scalar& x, const Scalar& y) {
@@ -76,7 +80,7 @@ class GravityKicks final : public Effect<Scalar, D> {
 
   void queue_next(World<Scalar, D>& world) {
     const Scalar t = Scalar(static_cast<double>(done_) * gravity_.every);
-    world.queue.push(world.pending({t, Scalar(0)}, Rank::gravity, -1, -1, 0, self_));
+    world.queue.push(world.pending({t, Scalar(0)}, kRank, -1, -1, 0, self_));
   }
 
   Gravity gravity_;
@@ -91,6 +95,12 @@ struct gravity {
     if (scene.gravity) call.because.push_back("\"gravity\"");
     call.cost = "an event every δ, which predicts every pair again";
     return call;
+  }
+  static EffectRecords records(const Scene& scene) {
+    constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
+    return {.kinds = {{"gravity", About::everybody, {"dv"}}},
+            .known = {{scene.gravity ? kNoEnd : 0, "is more than the events of the run"}},
+            .quantities = {{"gravity_work"}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/group_coupling.hpp"
 #include "reference/engine/group_state.hpp"
 
@@ -64,6 +65,7 @@ struct grouping {
     call.cost = "a load and a restitution a collision, each on all particles of a group";
     return call;
   }
+  static EffectRecords records(const Scene&) { return {.kinds = {{"restitute", About::pair}}}; }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {
     return std::make_unique<Grouping<Scalar, D>>();

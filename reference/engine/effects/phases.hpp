@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps::effects {
@@ -51,6 +53,7 @@ class Phases final : public Effect<Scalar, D> {
   }
 
  private:
+  static constexpr Rank kRank{10};
   struct Change {
     double at;
     bool opens;
@@ -77,7 +80,7 @@ class Phases final : public Effect<Scalar, D> {
 
   void queue_next(World<Scalar, D>& world) {
     if (done_ == changes_.size()) return;
-    world.queue.push(world.pending({Scalar(changes_[done_].at), Scalar(0)}, Rank::phase_change, -1, -1,
+    world.queue.push(world.pending({Scalar(changes_[done_].at), Scalar(0)}, kRank, -1, -1,
                                    static_cast<int>(done_), self_));
   }
 
@@ -94,6 +97,13 @@ struct phases {
     if (!scene.phases.empty()) call.because.push_back("\"phases\"");
     call.cost = std::to_string(scene.phases.size()) + " windows, at most two events each";
     return call;
+  }
+  static EffectRecords records(const Scene& scene) {
+    const auto ending = std::count_if(scene.phases.begin(), scene.phases.end(),
+                                      [](const Phase& phase) { return std::isfinite(phase.until); });
+    return {.kinds = {{"phase_begin", About::rules, {"phase"}}, {"phase_end", About::rules, {"phase"}}},
+            .known = {{scene.phases.size() + static_cast<std::uint64_t>(ending),
+                       "is more than the phases of the scene begin and end"}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene& scene) {

@@ -5,6 +5,7 @@
 // mean² (1 + 1/shape); (3) no other event changes when they come or what they are.
 #pragma once
 
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/poisson_kicks.hpp"
 
 namespace tps::effects {
@@ -12,8 +13,7 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class RandomImpulseKicks final : public PoissonKicks<Scalar, D> {
  public:
-  RandomImpulseKicks()
-      : PoissonKicks<Scalar, D>("random_impulse", Rank::random_impulse, Purpose::random_impulse) {}
+  RandomImpulseKicks() : PoissonKicks<Scalar, D>("random_impulse", Rank{40}, Purpose::random_impulse) {}
   std::string_view name() const override { return "random_impulses"; }
 
  private:
@@ -31,6 +31,15 @@ struct random_impulses {
     return {"random_impulses", "impulses of random size and direction at random times",
             species_that(scene, calls), "a species with \"random_impulses\"",
             std::to_string(particles_that(scene, calls)) + " particles with an event ahead each"};
+  }
+  static EffectRecords records(const Scene&) {
+    return {
+        .kinds = {{"random_impulse", About::particle}},
+        .quantities = {{"random_impulses_heat"}},
+        .draws = {
+            {Purpose::random_impulse, [](const Scene& scene, const Particle& particle) {
+               return scene.species[static_cast<std::size_t>(particle.species)].random_impulses.has_value();
+             }}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {

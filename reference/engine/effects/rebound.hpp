@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/response.hpp"
 #include "reference/equations/eq4_collision_impulse.hpp"
 
@@ -78,6 +79,7 @@ struct rebound {
         " pairs with a blocking time";
     return call;
   }
+  static EffectRecords records(const Scene&) { return {.kinds = {{"rebound", About::pair}}}; }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {
     return std::make_unique<Rebound<Scalar, D>>();

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/outside_impulse.hpp"
 #include "reference/engine/world.hpp"
 
@@ -43,12 +44,13 @@ class ScheduledImpulses final : public Effect<Scalar, D> {
   }
 
  private:
+  static constexpr Rank kRank{20};
   /// One impulse is queued at a time, in the order (time, particle), and no change of a particle voids it.
   void queue_next(World<Scalar, D>& world) {
     if (done_ == impulses_.size()) return;
     const ScheduledImpulse& next = impulses_[done_];
-    world.queue.push(world.pending({Scalar(next.at), Scalar(0)}, Rank::scheduled_impulse, -1, -1,
-                                   static_cast<int>(done_), self_));
+    world.queue.push(
+        world.pending({Scalar(next.at), Scalar(0)}, kRank, -1, -1, static_cast<int>(done_), self_));
   }
 
   std::vector<ScheduledImpulse> impulses_;
@@ -62,6 +64,10 @@ struct scheduled_impulses {
     if (!scene.impulses.empty()) call.because.push_back("\"impulses\"");
     call.cost = std::to_string(scene.impulses.size()) + " events";
     return call;
+  }
+  static EffectRecords records(const Scene& scene) {
+    return {.kinds = {{"scheduled_impulse", About::particle}},
+            .known = {{scene.impulses.size(), "is more than the impulses of the scene"}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene& scene) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/response.hpp"
 #include "reference/equations/tether_response.hpp"
 
@@ -114,6 +115,9 @@ struct tethering {
     call.cost = std::to_string(interacting_pairs(scene, permanent)) + " pairs tethered for ever, " +
                 std::to_string(scene.tethers.size()) + " at the start; others as they form";
     return call;
+  }
+  static EffectRecords records(const Scene&) {
+    return {.kinds = {{"retract", About::pair}, {"revolve", About::pair}, {"break", About::pair}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {

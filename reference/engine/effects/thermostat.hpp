@@ -5,6 +5,7 @@
 // whatever the old one; (3) no other event changes when it acts or what it draws.
 #pragma once
 
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/poisson_kicks.hpp"
 
 namespace tps::effects {
@@ -12,7 +13,7 @@ namespace tps::effects {
 template <typename Scalar, int D>
 class ThermostatKicks final : public PoissonKicks<Scalar, D> {
  public:
-  ThermostatKicks() : PoissonKicks<Scalar, D>("thermostat", Rank::thermostat, Purpose::thermostat) {}
+  ThermostatKicks() : PoissonKicks<Scalar, D>("thermostat", Rank{50}, Purpose::thermostat) {}
   std::string_view name() const override { return "thermostat"; }
 
  private:
@@ -33,6 +34,14 @@ struct thermostat {
     return {"thermostat", "velocities drawn anew from a Maxwell distribution at random times",
             species_that(scene, calls), "a species with \"thermostat\"",
             std::to_string(particles_that(scene, calls)) + " particles with an event ahead each"};
+  }
+  static EffectRecords records(const Scene&) {
+    return {
+        .kinds = {{"thermostat", About::particle}},
+        .quantities = {{"thermostat_heat"}},
+        .draws = {{Purpose::thermostat, [](const Scene& scene, const Particle& particle) {
+                     return scene.species[static_cast<std::size_t>(particle.species)].thermostat.has_value();
+                   }}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene&) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reference/engine/effect.hpp"
+#include "reference/engine/effect_records.hpp"
 #include "reference/engine/response.hpp"
 #include "reference/engine/wall_surface.hpp"
 #include "reference/equations/eq4_collision_impulse.hpp"
@@ -162,6 +163,9 @@ struct walls {
                 std::to_string(std::count_if(scene.particles.begin(), scene.particles.end(), moves)) +
                 " particles ask when they meet the first, at each of their events";
     return call;
+  }
+  static EffectRecords records(const Scene&) {
+    return {.kinds = {{"wall", About::particle, {"wall"}}}, .quantities = {{"walls_lost"}, {"walls_work"}}};
   }
   template <typename Scalar, int D>
   static std::unique_ptr<Effect<Scalar, D>> make(const Scene& scene) {

@@ -140,7 +140,10 @@ template <typename Number>
 void judge_parted(const Context<Number>& c, const char* what) {
   Model<Number>& model = c.model;
   if (model.groups.parting().empty()) return;
-  const Body<Number>* left = *model.groups.parting().begin();
+  const auto& parting = model.groups.parting();
+  const Body<Number>* left = *std::min_element(
+      parting.begin(), parting.end(),
+      [](const Body<Number>* a, const Body<Number>* b) { return a->members.front() < b->members.front(); });
   c.tally.demand(Rule::groups, false, [&](Finding& f) {
     f.message = fmt::format("{} while the body of particle {} has {} loads left to part", what,
                             model.id(left->members.front()),

@@ -1,4 +1,4 @@
-// Rule earliest, for what is known in advance: restitutions, phase changes and scheduled impulses.
+// Rule earliest, for what is known in advance: restitutions, and what effects have at given times.
 #pragma once
 
 #include "verify/trace_check/computed_time.hpp"
@@ -24,31 +24,18 @@ Turn<Number> known_turn(const Context<Number>& c, const Instant<Number>& t, int 
 }
 template <typename Number>
 Turn<Number> turn_of(const Context<Number>& c, const Body<Number>& body) {
-  return known_turn(c, body.expiry, rank(Kind::restitute), body.members.front());
+  return known_turn(c, body.expiry, kRankOfRestitution, body.members.front());
 }
 template <typename Number>
-Turn<Number> turn_of_phase(const Context<Number>& c) {
-  const double at = c.model.phase_changes[c.model.phases_done].at;
-  return known_turn(c, known_time<Number>(at, c.model.precision), rank(Kind::phase_begin));
-}
-/// The next impulse of a kind from outside; nothing where there is none, or where another generator than ours
-/// decides.
-template <typename Number>
-std::optional<OutsideKick> next_kick(const Context<Number>& c, Kind kind) {
-  const bool is_random = kind == Kind::random_impulse || kind == Kind::thermostat;
-  if (is_random && !c.own_draws) return std::nullopt;
-  return c.model.kicks.next(kind);
-}
-template <typename Number>
-Turn<Number> turn_of_kick(const Context<Number>& c, Kind kind, const OutsideKick& kick) {
-  return known_turn(c, known_time<Number>(kick.at, c.model.precision), rank(kind));
+Turn<Number> turn_of(const Context<Number>& c, const EffectRules<Number>& effect, const EventAhead& ahead) {
+  return known_turn(c, known_time<Number>(ahead.at, c.model.precision), effect.rank());
 }
 
 /// What is known in advance and has been passed over by something. `is_due(turn, error)` decides, where the
-/// times concerned may be off by `error`; what is found is not waited for any more. An event that is a change
-/// of a phase or an impulse is the next of its kind itself; a body that parts is `parting`.
+/// times concerned may be off by `error`; what is found is not waited for any more. What happens is the next
+/// event of `now` itself, null where it is no effect's; a body that parts is `parting`.
 template <typename Number, typename IsDue>
-void judge_waiting(const Context<Number>& c, std::optional<Kind> now, const Body<Number>* parting,
+void judge_waiting(const Context<Number>& c, const EffectRules<Number>* now, const Body<Number>* parting,
                    IsDue is_due) {
   using W = Work<Number>;
   Model<Number>& model = c.model;
@@ -66,22 +53,16 @@ void judge_waiting(const Context<Number>& c, std::optional<Kind> now, const Body
     });
     model.groups.stop_waiting_for(body);
   }
-  const auto judge = [&](const Turn<Number>& turn, const char* what) {
-    if (!is_due(turn, c.minimal ? c.time_error(turn.t) : W(0))) return false;
-    c.tally.demand(Rule::earliest, false, [&](Finding& f) {
-      f.message = fmt::format("the {} of time {} has not happened yet", what, c.shown_time(turn.t));
-    });
-    return true;
-  };
-  while (!(now && is_phase(*now)) && model.phases_done < model.phase_changes.size() &&
-         judge(turn_of_phase(c), "phase change")) {
-    model.apply_phase_change();
-  }
-  for (const Kind kind : {Kind::scheduled_impulse, Kind::random_impulse, Kind::thermostat, Kind::gravity}) {
-    if (now == kind) continue;
-    for (auto kick = next_kick(c, kind); kick && judge(turn_of_kick(c, kind, *kick), words(kind).c_str());
-         kick = next_kick(c, kind)) {
-      model.kicks.take(kind);
+  for (const auto& effect : model.effects) {
+    if (effect.get() == now) continue;
+    for (auto ahead = effect->next(c); ahead; ahead = effect->next(c)) {
+      const Turn<Number> turn = turn_of(c, *effect, *ahead);
+      if (!is_due(turn, c.minimal ? c.time_error(turn.t) : W(0))) break;
+      c.tally.demand(Rule::earliest, false, [&](Finding& f) {
+        f.message =
+            fmt::format("the {} of time {} has not happened yet", effect->what(), c.shown_time(turn.t));
+      });
+      effect->pass(c);
     }
   }
 }
@@ -91,13 +72,14 @@ template <typename Number>
 void judge_known_events(const Context<Number>& c, const EventLine<Number>& event, const Turn<Number>& turn) {
   using W = Work<Number>;
   const bool parts = event.kind == Kind::restitute;
-  judge_waiting(c, event.kind, parts ? c.model.groups.with_root(event.i, event.j) : nullptr,
-                [&](const Turn<Number>& other, const W& error) {
-                  if (c.certified()) return c.turns.order(other, turn) < 0;
-                  const W late = elapsed(other.t, event.t);
-                  if (late > error) return true;
-                  return !c.minimal && late == W(0) && c.turns.order(other, turn) < 0;
-                });
+  judge_waiting<Number>(c, c.model.effect_of(event.kind),
+                        parts ? c.model.groups.with_root(event.i, event.j) : nullptr,
+                        [&](const Turn<Number>& other, const W& error) {
+                          if (c.certified()) return c.turns.order(other, turn) < 0;
+                          const W late = elapsed(other.t, event.t);
+                          if (late > error) return true;
+                          return !c.minimal && late == W(0) && c.turns.order(other, turn) < 0;
+                        });
 }
 
 /// Nothing known in advance was left waiting at the duration of a run, or at all where it claims that no more
@@ -107,30 +89,28 @@ template <typename Number>
 void judge_known_at_end(const Context<Number>& c, const Instant<Number>& end, Until until,
                         std::vector<LeftWaiting>& left) {
   using W = Work<Number>;
-  judge_waiting(c, std::nullopt, static_cast<const Body<Number>*>(nullptr),
-                [&](const Turn<Number>& other, const W& error) {
-                  if (until == Until::ever) return true;
-                  if constexpr (std::is_same_v<Number, double>) {
-                    const Precision<double>& precision = c.model.precision;
-                    if (c.certified() && !(latest_rival(end, precision) < other.t) &&
-                        !(latest_rival(other.t, precision) < end)) {
-                      left.push_back({other, false, [&c, other](Finding& f) {
-                                        f.message = fmt::format(
-                                            "what the scene or a load has due at {} has not happened",
-                                            c.shown_time(other.t));
-                                      }});
-                      return false;
-                    }
-                  }
-                  return W(elapsed(other.t, end)) >= error;
-                });
+  judge_waiting<Number>(c, nullptr, nullptr, [&](const Turn<Number>& other, const W& error) {
+    if (until == Until::ever) return true;
+    if constexpr (std::is_same_v<Number, double>) {
+      const Precision<double>& precision = c.model.precision;
+      if (c.certified() && !(latest_rival(end, precision) < other.t) &&
+          !(latest_rival(other.t, precision) < end)) {
+        left.push_back({other, false, [&c, other](Finding& f) {
+                          f.message = fmt::format("what the scene or a load has due at {} has not happened",
+                                                  c.shown_time(other.t));
+                        }});
+        return false;
+      }
+    }
+    return W(elapsed(other.t, end)) >= error;
+  });
 }
 
 /// An event that the scene has at a given time is at that time; under certified timing at the clock's, where
 /// that has passed it.
 template <typename Number>
 void judge_scheduled_time(const Context<Number>& c, const EventLine<Number>& event, double t,
-                          const char* what) {
+                          const std::string& what) {
   using W = Work<Number>;
   using std::abs;
   const W late = elapsed(known_time<Number>(t, c.model.precision), event.t);

@@ -238,7 +238,7 @@ class StateJudge {
     for (const auto& [kind, count] : s.counts) {
       if (!kind.starts_with('#') && count > 0) stated[kind] = count;
     }
-    for (const KindRow& known : kKinds) {
+    for (const KindRow& known : kinds()) {
       const std::uint64_t count = model_.kinds[static_cast<std::size_t>(known.kind)];
       if (count > 0) counted.emplace(known.name, count);
     }
@@ -247,19 +247,26 @@ class StateJudge {
     for (const StateData::Draws& d : s.draws) draws[{d.purpose, d.first, d.second}] = d.used;
     expect(s.draws.size() == draws.size() && draws == model_.draws,
            "the numbers of draws are not those of the events");
-    for (const auto& [effect, ignored] : s.progress) {
-      expect(effect == "phases" || effect == "scheduled_impulses" || effect == "gravity",
-             fmt::format("\"{}\" is no effect with events known in advance", effect.substr(0, 60)));
+    judge_progress_of_effects();
+  }
+
+  void judge_progress_of_effects() {
+    const auto& stated = line_.data.progress;
+    std::vector<std::string> wrong, missing;
+    for (const auto& [name, done] : stated) {
+      const auto effect = std::find_if(model_.effects.begin(), model_.effects.end(),
+                                       [&](const auto& e) { return e->effect() == name; });
+      const bool there = effect != model_.effects.end();
+      expect(there, fmt::format("\"{}\" is no effect with events known in advance", name.substr(0, 60)));
+      if (there && (*effect)->progress() != done) wrong.push_back(name);
     }
-    const auto done = [&](const char* effect) {
-      const auto found = s.progress.find(effect);
-      return found == s.progress.end() ? std::uint64_t{0} : found->second;
-    };
-    expect(
-        done("phases") == model_.phases_done && done("scheduled_impulses") == model_.kicks.scheduled_done(),
-        "the progress of phases or scheduled impulses is not that of the events");
-    expect(done("gravity") == model_.kicks.gravity_done(),
-           "the progress of gravity is not that of the events");
+    for (const auto& effect : model_.effects) {
+      const std::string name(effect->effect());
+      if (effect->progress() > 0 && !stated.contains(name)) missing.push_back(name);
+    }
+    expect(wrong.empty(),
+           fmt::format("the progress of {} is not that of the events", fmt::join(wrong, " and ")));
+    expect(missing.empty(), fmt::format("the progress of {} is missing", fmt::join(missing, " and ")));
   }
 
   const Context<Number>& c_;

@@ -125,7 +125,7 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c,
     turn = Turn<double>{later_by(start, dt, c.model.precision), Moment{start.hi, start.lo, query, 1}};
     turn->first = turn->second = flight.i;
   }
-  if (turn) turn->rank = rank(Kind::wall);
+  if (turn) turn->rank = kRankAtWall;
   return turn;
 }
 
