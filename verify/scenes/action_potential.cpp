@@ -1,6 +1,7 @@
 #include "verify/scenes/action_potential.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace tps {
 
@@ -18,8 +19,10 @@ Scene build_action_potential(const ActionPotentialParams& params) {
   Scene scene = build_terminal(terminal);
   scene.title = "A presynaptic terminal while an action potential passes: clusters fall apart and form again";
 
-  const auto of_name = [&](const char* name) {
-    return static_cast<int>(std::ranges::find(scene.species, name, &Species::name) - scene.species.begin());
+  const auto of_name = [&](const std::string& name) {
+    const auto named = [&](const Species& species) { return species.name == name; };
+    return static_cast<int>(std::find_if(scene.species.begin(), scene.species.end(), named) -
+                            scene.species.begin());
   };
   scene.phases = {{.from = params.potential_at,
                    .until = params.potential_at + params.potential_for,
