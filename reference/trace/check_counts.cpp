@@ -32,9 +32,9 @@ class CountCheck {
 
   void check_progress() {
     for (const auto& [name, done] : state_.progress) {
-      const auto effect = std::find_if(effects_.begin(), effects_.end(), [&](const EffectFacts& e) {
-        return e.name == name && e.records.known;
-      });
+      const auto effect = std::find_if(
+          effects_.begin(), effects_.end(),
+          [&wanted = name](const EffectFacts& e) { return e.name == wanted && e.records.known; });
       const std::string pointer = "/progress/" + name;
       if (effect == effects_.end()) {
         demand(false, pointer, "is no effect with events known in advance");
