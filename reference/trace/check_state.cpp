@@ -9,6 +9,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "reference/engine/effect_facts.hpp"
 #include "reference/scene/random.hpp"
 #include "reference/trace/check_counts.hpp"
 #include "reference/trace/check_group.hpp"
