@@ -9,12 +9,12 @@
 namespace tps::exact {
 
 /// y − x of each component, exactly. REQUIRES no overflow.
-inline std::array<DoubleWord, 3> exact_difference(const Vec3& y, const Vec3& x) {
+TPS_IN_EVERY_COPY std::array<DoubleWord, 3> exact_difference(const Vec3& y, const Vec3& x) {
   return {two_sum(y[0], -x[0]), two_sum(y[1], -x[1]), two_sum(y[2], -x[2])};
 }
 
 /// r of a query: exact, or of an image within 3u² of itself, as the sum of two double words is.
-inline std::array<DoubleWord, 3> relative_position(const TimingQuery& query) {
+TPS_IN_EVERY_COPY std::array<DoubleWord, 3> relative_position(const TimingQuery& query) {
   std::array<DoubleWord, 3> r = exact_difference(query.u_B, query.u_A);
   if (is_at_home(query)) return r;
   for (std::size_t k = 0; k < 3; ++k) r[k] = r[k] + two_product(query.image[k], query.edges[k]);

@@ -20,7 +20,7 @@ struct StateAt {
   double v_squared;     ///< a
 };
 
-inline StateAt state_at(const TimingQuery& query, double t) {
+TPS_IN_EVERY_COPY StateAt state_at(const TimingQuery& query, double t) {
   const std::array<DoubleWord, 3> r = relative_position(query);
   StateAt state{exact_difference(query.v_B, query.v_A), {}, 0, 0, 0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -38,7 +38,8 @@ inline StateAt state_at(const TimingQuery& query, double t) {
   return state;
 }
 
-inline std::optional<RefinedTime> refined_hit(const TimingQuery& query, const StateAt& at, double t) {
+TPS_IN_EVERY_COPY std::optional<RefinedTime> refined_hit(const TimingQuery& query, const StateAt& at,
+                                                         double t) {
   const DoubleWord w_squared = at.w[0] * at.w[0] + at.w[1] * at.w[1] + at.w[2] * at.w[2];
   const DoubleWord L_squared = two_product(query.L, query.L);
   const double q0 = (w_squared - L_squared).hi;
@@ -65,7 +66,8 @@ inline std::optional<RefinedTime> refined_hit(const TimingQuery& query, const St
 }
 
 /// Closest approach: v·w = 0, linear in t.
-inline std::optional<RefinedTime> refined_turning(const TimingQuery& query, const StateAt& at, double t) {
+TPS_IN_EVERY_COPY std::optional<RefinedTime> refined_turning(const TimingQuery& query, const StateAt& at,
+                                                             double t) {
   const double rho = (at.v[0] * at.w[0] + at.v[1] * at.w[1] + at.v[2] * at.w[2]).hi;
   const double rho_error =
       widening(query) * u * u * (6 * at.v_B + 12 * at.v_w_absolute) + underflow_allowance;
