@@ -11,6 +11,16 @@ namespace tps {
 template <typename Scalar, int D>
 using Vector = Eigen::Matrix<Scalar, D, 1>;
 
+/// Calls use(k) for every axis. Not a loop: a compiler keeps one, however short, where these lines are inside
+/// another one.
+template <int D, typename Use>
+[[gnu::always_inline]] inline void for_each_axis(Use use) {
+  static_assert(D == 2 || D == 3);
+  use(0);
+  use(1);
+  if constexpr (D == 3) use(2);
+}
+
 /// Whether x is a number of the scalar's range: neither infinite nor NaN.
 template <typename Scalar>
 bool is_finite(const Scalar& x) {

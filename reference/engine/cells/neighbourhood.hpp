@@ -152,36 +152,35 @@ class Neighbourhood {
     }
     if (!has_level(world, i)) return;
     find_partners_for_ever(world, i, found);
-    const bool is_tied = !plan_.permanent(species).empty() || world.tethers.count(i) > 0;
+    const std::size_t begin = found.size();
+    const double own = plan_.levels()[at(level_of(world, i))].side;
     for (std::size_t level = 0; level < grids_.size(); ++level) {
       const double reach = plan_.reach(species, static_cast<int>(level));
       if (reach < 0) continue;
       const double known = plan_.known(species, static_cast<int>(level));
-      const double own = plan_.levels()[at(level_of(world, i))].side;
-      const RegionRanges<D> ranges{own, plan_.levels()[level].side, edges_};
-      ranges.for_each(filed_[at(i)].region, reach, [&](const RegionRange<D>& range, const auto& turns) {
-        const std::size_t begin = found.size();
-        search(level, range, found);
+      const RegionRanges<D> ranges({own, plan_.levels()[level].side}, edges_, filed_[at(i)].region, reach,
+                                   left ? &*left : nullptr, known);
+      ranges.for_each([&](const RegionRange<D>& range, const RegionRange<D>& asked) {
         if (left) {
-          const RegionRange<D> asked = ranges.around(*left, known, turns);
-          keep_others(i, begin, found, [range, asked](const Region<D>& region) {
-            const bool is_in = range.contains(region), was_asked = asked.contains(region);
-            return is_in & !was_asked;
-          });
+          const auto is_new = [i, asked](int j, const Region<D>& region) {
+            return (j != i) & !asked.contains(region);
+          };
+          search(level, range, is_new, found);
         } else {
-          keep_others(i, begin, found, [range](const Region<D>& region) { return range.contains(region); });
+          search(
+              level, range, [i](int j, const Region<D>&) { return j != i; }, found);
         }
-        std::size_t kept = begin;
-        for (std::size_t n = begin; n < found.size(); ++n) {
-          const int j = found[n];
-          if (is_tied && world.tethered(i, j)) continue;
-          __builtin_prefetch(&world.particles[at(j)]);
-          world.responded.prefetch(j);
-          found[kept++] = j;
-        }
-        found.resize(kept);
       });
     }
+    std::size_t kept = begin;
+    const bool is_tied = !plan_.permanent(species).empty() || world.tethers.count(i) > 0;
+    for (std::size_t n = begin; n < found.size(); ++n) {
+      const int j = found[n];
+      if (is_tied && world.tethered(i, j)) continue;
+      __builtin_prefetch(&world.particles[at(j)]);
+      found[kept++] = j;
+    }
+    found.resize(kept);
   }
 
  private:
@@ -235,30 +234,16 @@ class Neighbourhood {
     return inside;
   }
 
-  /// Of who was found from `begin` on, keeps those but i whose region `is_meant`. Without branches: about
-  /// half of them are, in no order that a processor could guess.
-  template <typename IsMeant>
-  void keep_others(int i, std::size_t begin, std::vector<int>& found, IsMeant is_meant) const {
-    const FiledRegion<D>* const filed = filed_.data();
-    int* const end = found.data() + found.size();
-    int* kept = found.data() + begin;
-    for (const int* at_j = kept; at_j != end; ++at_j) {
-      const int j = *at_j;
-      const bool stays = is_meant(filed[at(j)].region) & (j != i);
-      *kept = j;
-      kept += stays ? 1 : 0;
-    }
-    found.resize(static_cast<std::size_t>(kept - found.data()));
-  }
-
-  /// Appends everyone of a level whose region is in the range, and others.
-  void search(std::size_t level, const RegionRange<D>& range, std::vector<int>& found) const {
+  /// Appends everyone of a level whose region is in the range and wanted.
+  template <typename Keep>
+  void search(std::size_t level, const RegionRange<D>& range, Keep keep, std::vector<int>& found) const {
     if (!grids_[level].is_wider_than_its_members(range)) {
-      grids_[level].search(range, filed_, found);
+      grids_[level].search(range, filed_, keep, heads_, found);
       return;
     }
     for (const int j : members_[level]) {
-      if (!roams(j)) found.push_back(j);
+      const Region<D>& region = filed_[at(j)].region;
+      if (!roams(j) && range.contains(region) && keep(j, region)) found.push_back(j);
     }
   }
 
@@ -301,7 +286,8 @@ class Neighbourhood {
   /// In a periodic box: how many edges each filed particle is off, and how far others may fly between two
   /// looks.
   mutable std::vector<Wraps> wraps_;
-  Coordinates edges_{};  ///< of the box; 0 along an open axis
+  mutable std::vector<int> heads_;  ///< of the buckets that a search has yet to walk
+  Coordinates edges_{};             ///< of the box; 0 along an open axis
   double longest_roam_ = 0;
 };
 

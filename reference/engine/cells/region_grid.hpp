@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/engine/large_pages.hpp"
+#include "reference/equations/vector.hpp"
 
 namespace tps {
 
@@ -16,24 +17,22 @@ namespace tps {
 template <int D>
 using Region = std::array<std::int32_t, static_cast<std::size_t>(D)>;
 
-/// Regions from low to high, both included; no axis is empty.
+/// Regions from low to high, both included; low ≤ high.
 template <int D>
 struct RegionRange {
   Region<D> low, high;
 
-  /// Without branches. What is below the lowest one is, without a sign, far above the highest.
+  /// Without branches: half of those that are looked at are in, in no order that a processor could guess.
   bool contains(const Region<D>& region) const {
     bool is_in = true;
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      const std::uint32_t above_low = unsigned_of(region[k]) - unsigned_of(low[k]);
-      const std::uint32_t width = unsigned_of(high[k]) - unsigned_of(low[k]);
-      is_in = is_in & (above_low <= width);
-    }
+    for_each_axis<D>([&](int axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const auto bottom = static_cast<std::uint32_t>(low[k]);
+      is_in = is_in & (static_cast<std::uint32_t>(region[k]) - bottom <=
+                       static_cast<std::uint32_t>(high[k]) - bottom);
+    });
     return is_in;
   }
-
- private:
-  static std::uint32_t unsigned_of(std::int32_t x) { return static_cast<std::uint32_t>(x); }
 };
 
 /// Where every particle is filed: its region, and its neighbours in the list of its bucket.
@@ -107,9 +106,40 @@ class RegionGrid {
     return buckets > members_;
   }
 
-  /// Appends every particle of the buckets that the range touches, whatever its region. What a bucket's list
-  /// starts with is fetched while the other buckets are still being looked up.
-  void search(const RegionRange<D>& range, const FiledRegions<D>& filed, std::vector<int>& found) const {
+  /// Appends every particle of the range whose region `keep` wants. `heads` is room to work in.
+  ///
+  /// The lists of all buckets are walked in step, without a branch a particle: so much is in memory's way at
+  /// once, and a processor has nothing to guess.
+  template <typename Keep>
+  void search(RegionRange<D> range, const FiledRegions<D>& filed, Keep keep, std::vector<int>& heads,
+              std::vector<int>& found) const {
+    std::size_t waiting = put_heads(range, heads);
+    for (std::size_t n = 0; n < waiting; ++n) __builtin_prefetch(&filed[at(heads[n])]);
+    std::size_t end = found.size();
+    while (waiting > 0) {
+      found.resize(end + waiting);
+      std::size_t left = 0;
+      for (std::size_t n = 0; n < waiting; ++n) {
+        const int j = heads[n];
+        const FiledRegion<D>& at_j = filed[at(j)];
+        found[end] = j;
+        end += range.contains(at_j.region) & keep(j, at_j.region) ? 1U : 0U;
+        heads[left] = at_j.next;
+        left += at_j.next >= 0 ? 1U : 0U;
+      }
+      waiting = left;
+    }
+    found.resize(end);
+  }
+
+ private:
+  static constexpr std::size_t kAxes = static_cast<std::size_t>(D);
+  static constexpr std::uint64_t kBucketsPerParticle = 4;
+
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+  /// What the lists of the buckets start with that a range touches. @return how many.
+  std::size_t put_heads(const RegionRange<D>& range, std::vector<int>& heads) const {
     std::array<std::uint32_t, kAxes> from{};
     std::array<std::uint32_t, kAxes> count{};
     std::size_t buckets = 1;
@@ -118,9 +148,8 @@ class RegionGrid {
       count[k] = static_cast<std::uint32_t>(width(range, k));
       buckets *= count[k];
     }
-    const std::size_t begin = found.size();
-    found.resize(begin + buckets);
-    std::size_t end = begin;
+    if (heads.size() < buckets) heads.resize(buckets);
+    std::size_t put = 0;
     const std::uint32_t layers = D == 3 ? count[kAxes - 1] : 1;
     for (std::uint32_t z = 0; z < layers; ++z) {
       const std::size_t layer =
@@ -129,23 +158,13 @@ class RegionGrid {
         const std::size_t row = layer | (std::size_t{(from[1] + y) & mask_[1]} << stride_[1]);
         for (std::uint32_t x = 0; x < count[0]; ++x) {
           const int first = first_[row | ((from[0] + x) & mask_[0])];
-          found[end] = first;
-          end += first >= 0 ? 1U : 0U;
+          heads[put] = first;
+          put += first >= 0 ? 1U : 0U;
         }
       }
     }
-    found.resize(end);
-    for (std::size_t n = begin; n < end; ++n) __builtin_prefetch(&filed[at(found[n])]);
-    for (std::size_t n = begin; n < end; ++n) {
-      for (int j = filed[at(found[n])].next; j >= 0; j = filed[at(j)].next) found.push_back(j);
-    }
+    return put;
   }
-
- private:
-  static constexpr std::size_t kAxes = static_cast<std::size_t>(D);
-  static constexpr std::uint64_t kBucketsPerParticle = 4;
-
-  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
   /// Buckets of an axis, each once however far the range goes round.
   std::uint64_t width(const RegionRange<D>& range, std::size_t k) const {
