@@ -20,7 +20,8 @@ class AllPairs final : public Detector<Scalar, D> {
   void predict_all(World<Scalar, D>& world) override {
     queue_ = {};
     for (int i = 0; i < world.size(); ++i) {
-      for (int j = i + 1; j < world.size(); ++j) predict(world, i, j, world.now);
+      const auto asker = predictor_.asker(world, i, world.now);
+      for (int j = i + 1; j < world.size(); ++j) keep(world, i, j, asker.earliest(j), world.now);
     }
   }
 
@@ -29,9 +30,10 @@ class AllPairs final : public Detector<Scalar, D> {
     is_touched_.assign(world.particles.size(), false);
     for (const int i : touched) is_touched_[static_cast<std::size_t>(i)] = true;
     for (const int i : touched) {
+      const auto asker = predictor_.asker(world, i, world.now);
       for (int j = 0; j < world.size(); ++j) {
         if (j == i || (j < i && is_touched_[static_cast<std::size_t>(j)])) continue;
-        predict(world, std::min(i, j), std::max(i, j), world.now);
+        keep(world, std::min(i, j), std::max(i, j), asker.earliest(j), world.now);
       }
     }
   }
@@ -59,14 +61,16 @@ class AllPairs final : public Detector<Scalar, D> {
       if (first == nullptr || first->effect != kLook || limit < first->time) return first;
       const Event look = *first;
       queue_.pop();
-      predict(world, look.first, look.second, look.time);
+      const int i = look.first;
+      const int j = look.second;
+      keep(world, i, j, predictor_.asker(world, i, look.time).earliest(j), look.time);
     }
   }
 
-  /// In a periodic box the nearest image at t counts until another one can be met; what comes later is asked
-  /// then.
-  void predict(const World<Scalar, D>& world, int i, int j, const Time<Scalar>& t) {
-    const std::optional<Event> event = predictor_.earliest(world, i, j, t);
+  /// The event of a pair, asked at t. In a periodic box the nearest image at t counts until another one can
+  /// be met; what comes later is asked then.
+  void keep(const World<Scalar, D>& world, int i, int j, const std::optional<Event>& event,
+            const Time<Scalar>& t) {
     if (world.box && predictor_.can_meet(world, i, j)) {
       const Time<Scalar> look = world.box->holds_until(t, world.velocity(j) - world.velocity(i));
       if (look < Time<Scalar>::never() && !(event && event->time <= look)) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reference/engine/effect.hpp"
-#include "reference/engine/relative_state.hpp"
+#include "reference/engine/miss_filter.hpp"
 #include "reference/engine/world.hpp"
 
 namespace tps {
@@ -34,9 +34,51 @@ class PairPredictor {
   /// states and the image.
   std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, int i, int j,
                                                const Time<Scalar>& t) const {
-    if (passes_by(world, i, j, t) || !can_meet(world, i, j)) return std::nullopt;
+    if (!can_meet(world, i, j)) return std::nullopt;
     if (world.box) return earliest(world, world.imaged_view(i, j, t));
     return earliest(world, world.view(i, j));
+  }
+
+  /// One particle, i, whose pairs are asked for at one time t, whoever the others are. Most are asked in
+  /// vain: what it takes to say so is computed once. Valid while no state changes.
+  class Asker {
+   public:
+    Asker(const PairPredictor& predictor, const World<Scalar, D>& world, int i, const Time<Scalar>& t)
+        : predictor_(predictor),
+          world_(world),
+          i_(i),
+          t_(t),
+          filter_(world.particles[world.index(i)], t, world.box.get()),
+          tethered_(world.tethers.of(i)) {}
+
+    /// The earliest event of the pair of i and j ≠ i: the answer of PairPredictor::earliest().
+    std::optional<PendingEvent<Scalar>> earliest(int j) const {
+      if (misses(j)) return std::nullopt;
+      return predictor_.earliest(world_, std::min(i_, j), std::max(i_, j), t_);
+    }
+
+   private:
+    /// A pair that has no tether has one limit.
+    bool misses(int j) const {
+      const Law<Scalar>& law = world_.law(i_, j);
+      if (!law.blocking || world_.timing.literal()) return false;
+      if (!filter_.misses(world_.particles[world_.index(j)], law.blocking->distance)) return false;
+      return !law.tethering || !(law.tethering->permanent || is_tethered_to(j));
+    }
+    bool is_tethered_to(int j) const {
+      return std::find(tethered_.begin(), tethered_.end(), j) != tethered_.end();
+    }
+
+    const PairPredictor& predictor_;
+    const World<Scalar, D>& world_;
+    int i_;
+    Time<Scalar> t_;
+    MissFilter<Scalar, D> filter_;
+    const std::vector<int>& tethered_;
+  };
+
+  Asker asker(const World<Scalar, D>& world, int i, const Time<Scalar>& t) const {
+    return {*this, world, i, t};
   }
 
   /// Whether two particles have a law, and do not move as one.
@@ -46,14 +88,6 @@ class PairPredictor {
   }
 
  private:
-  /// Most pairs are asked in vain; this is the short way to say so. A pair that has no tether has one limit.
-  static bool passes_by(const World<Scalar, D>& world, int i, int j, const Time<Scalar>& t) {
-    const Law<Scalar>& law = world.law(i, j);
-    if (!law.blocking || world.tethered(i, j)) return false;
-    const std::optional<RelativeState<Scalar, D>> pair = relative_state(world, i, j, t);
-    return pair && world.timing.passes_by(*pair, law.blocking->distance);
-  }
-
   template <typename View>
   std::optional<PendingEvent<Scalar>> earliest(const World<Scalar, D>& world, const View& pair) const {
     const int i = pair.i;

@@ -34,13 +34,6 @@ struct ImagedPairView : PairView<Scalar, D> {
   PeriodicImage<Scalar, D> image;
 };
 
-/// Where the second of a pair is from the first, and how it moves.
-template <typename Scalar, int D>
-struct RelativeState {
-  Vector<Scalar, D> r, v;
-  Vector<Scalar, D> size;  ///< S_k of what r_k was rounded from, at most three times: an image's terms cancel
-};
-
 /// What an effect asks about a pair: when is it next at this distance?
 template <typename Scalar>
 struct LimitQuestion {
@@ -67,6 +60,7 @@ class PairTiming {
   }
 
   bool certified() const { return choice_.timing == Timing::certified; }
+  bool literal() const { return choice_.timing == Timing::paper; }
 
   /// The time from the view's start to the pair's next event at the limit, if there is one: NaN where the
   /// formula left the range of the scalar, so that it cannot tell.
@@ -83,37 +77,6 @@ class PairTiming {
     if (question.kind == TimingKind::block || answer.verdict == TimingVerdict::static_pair)
       return std::nullopt;
     return pulled_again(pair);
-  }
-
-  /// Whether a pair certainly has no event at an inner limit L, whichever formula is asked, but the literal
-  /// one: it parts (h > 0) or passes by (D < 0, so that a c > h² ≥ 0). Most of all questions, and the
-  /// cheapest of the exact verdicts; then every number of the pair is finite, too.
-  ///
-  /// With H = Σ S_k|v_k| and M = Σ S_k² + L²: h errs by 8u H, a by 6u a, c by 11u M, D by 20u (H² + a M), and
-  /// D of the stable formula by 14u a M more. Used are 16u and 64u, and what underflows; a sum that is not
-  /// finite is not above its bound.
-  bool passes_by(const RelativeState<Scalar, D>& pair, const Scalar& L) const {
-    if constexpr (std::is_floating_point_v<Scalar>) {
-      if (choice_.timing == Timing::paper) return false;
-      using std::abs;
-      using Limits = std::numeric_limits<Scalar>;
-      constexpr Scalar epsilon = Limits::epsilon();
-      Scalar h(0), H(0), a(0), r_squared(0), S_squared(0);
-      for (int k = 0; k < D; ++k) {
-        const Scalar r = pair.r[k], v = pair.v[k], S = pair.size[k];
-        h += r * v;
-        H += S * abs(v);
-        a += v * v;
-        r_squared += r * r;
-        S_squared += S * S;
-      }
-      if (h > Scalar(8) * epsilon * H + (Limits::min)() && H <= (Limits::max)()) return true;
-      const Scalar L_squared = L * L;
-      const Scalar M = S_squared + L_squared;
-      if (!is_comfortable(a) || !is_comfortable(M)) return false;
-      return h * h - a * (r_squared - L_squared) < Scalar(-32) * epsilon * (H * H + a * M);
-    }
-    return false;
   }
 
   /// The moment that next() rounds. REQUIRES certified().
@@ -185,7 +148,7 @@ class PairTiming {
     if constexpr (certifiable<Scalar>) {
       if (certified()) return certified_answer(pair, question);
     }
-    if (choice_.timing == Timing::paper) {
+    if (literal()) {
       if (!paper_roots_in_range<Scalar, D>(pair.u_i, pair.u_j, pair.v_i, pair.v_j, question.distance)) {
         return {TimingVerdict::hit, std::numeric_limits<Scalar>::quiet_NaN()};
       }
@@ -197,15 +160,6 @@ class PairTiming {
     }
     return (block ? block_time<Scalar, D> : tether_time<Scalar, D>)(pair.u_i, pair.u_j, pair.v_i, pair.v_j,
                                                                     question.distance);
-  }
-
-  /// Whether a product of two such squares, and its roundings, neither overflow nor underflow.
-  static bool is_comfortable(const Scalar& square) {
-    using std::ldexp;
-    using Limits = std::numeric_limits<Scalar>;
-    static const Scalar small = ldexp(Scalar(1), Limits::min_exponent * 2 / 5);
-    static const Scalar large = ldexp(Scalar(1), Limits::max_exponent * 2 / 5);
-    return square > small && square < large;
   }
 
   /// Positions that have left the range of the scalar have no event any more.

@@ -42,6 +42,8 @@ class PeriodicBox {
       // A 64th is for the rounding of places, which are_known() bounds.
       const double room = open ? edge : (edge / 2 - L) * (63. / 64);
       room_[k] = Scalar(room);
+      per_edge_[k] = open ? Scalar(0) : Scalar(1) / edges_[k];
+      nearly_half_[k] = open ? std::numeric_limits<Scalar>::infinity() : Scalar(0.49) * edges_[k];
       least = std::min(least, room);
     }
     farthest_ = Scalar(least / 512) / std::numeric_limits<Scalar>::epsilon();
@@ -66,9 +68,14 @@ class PeriodicBox {
     }
     return image;
   }
-  /// n·edge of that image along axis k, from the difference of two places that are known.
-  Scalar shift(int k, const Scalar& r) const {
-    return edges_[k] != Scalar(0) ? Scalar(number(k, r) * edges_[k]) : Scalar(0);
+  /// Brings a difference of places that are known to the image that is nearest, |r| ≤ W/2.
+  /// @return whether that is certain: by 1 % of W.
+  bool bring_near(int k, Scalar& r) const {
+    using std::abs;
+    // An integer from here on has no digits behind its point.
+    constexpr Scalar whole = Scalar(1.5) / std::numeric_limits<Scalar>::epsilon();
+    r -= ((r * per_edge_[k] + whole) - whole) * edges_[k];
+    return abs(r) < nearly_half_[k];
   }
 
   /// Until when only the image that is nearest at t can be met, by a pair of the relative velocity v.
@@ -82,6 +89,8 @@ class PeriodicBox {
   }
 
   const Vec& edges() const { return edges_; }  ///< 0 along an open axis
+  /// Coordinates from here on are not known.
+  const Scalar& farthest() const { return farthest_; }
 
  private:
   Scalar number(int k, const Scalar& r) const {
@@ -98,7 +107,7 @@ class PeriodicBox {
     }
   }
 
-  Vec edges_, room_;
+  Vec edges_, room_, per_edge_, nearly_half_;
   Scalar farthest_;
 };
 

@@ -20,6 +20,7 @@
 #include "reference/engine/laws.hpp"
 #include "reference/engine/ledger.hpp"
 #include "reference/engine/pair_timing.hpp"
+#include "reference/engine/particle_state.hpp"
 #include "reference/engine/periodic_box.hpp"
 #include "reference/engine/queue.hpp"
 #include "reference/engine/range.hpp"
@@ -32,14 +33,6 @@
 #include "reference/scene/surfaces.hpp"
 
 namespace tps {
-
-/// A particle where it was when its velocity last changed; from there it flies straight. In space and in
-/// double it fills a cache line; elsewhere it is aligned as its vectors are.
-template <typename Scalar, int D>
-struct alignas(sizeof(Scalar) * (2 * D + 2) == 64 ? 64 : alignof(Vector<Scalar, D>)) ParticleState {
-  Vector<Scalar, D> position, velocity;
-  Time<Scalar> clock;
-};
 
 /// Receives every record of a run, in order.
 template <typename Scalar, int D>
@@ -86,7 +79,7 @@ class World {
   /// u + v (t − clock): free flight. Two roundings a coordinate.
   Vec position(int i, const Time<Scalar>& t) const {
     const ParticleState<Scalar, D>& p = particles[index(i)];
-    return p.clock == t ? p.position : Vec(p.position + p.velocity * elapsed(p.clock, t));
+    return p.clock == t ? p.position : p.after(elapsed(p.clock, t));
   }
 
   /// Two particles, i < j, the one with the earlier clock advanced to the later one's.
@@ -100,13 +93,13 @@ class World {
   /// The same in a periodic box, with the image of j that is nearest at time t. Throws OutOfRange where
   /// places are no longer known well enough.
   ImagedPairView<Scalar, D> imaged_view(int i, int j, const Time<Scalar>& t) const {
-    const PairView<Scalar, D> seen = view(i, j);
-    const PeriodicImage<Scalar, D> image =
-        seen.start == t ? nearest_image(i, j, seen.u_i, seen.u_j) : nearest_image(i, j, t);
-    return {{i, j, seen.start, Vec(Vec::Zero()), image.difference(seen.u_i, seen.u_j), seen.v_i, seen.v_j},
-            seen.u_i,
-            seen.u_j,
-            image};
+    ImagedPairView<Scalar, D> pair{view(i, j), {}, {}, {}};
+    pair.stored_i = pair.u_i;
+    pair.stored_j = pair.u_j;
+    pair.image = pair.start == t ? nearest_image(i, j, pair.u_i, pair.u_j) : nearest_image(i, j, t);
+    pair.u_i.setZero();
+    pair.u_j = pair.image.difference(pair.stored_i, pair.stored_j);
+    return pair;
   }
   /// REQUIRES box. Throws OutOfRange.
   PeriodicImage<Scalar, D> nearest_image(int i, int j, const Time<Scalar>& t) const {

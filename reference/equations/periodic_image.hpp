@@ -21,8 +21,8 @@ struct PeriodicImage {
 
   /// Three roundings: of the difference, the product and the sum, each of its own size, |n·edge| at most.
   Vector<Scalar, D> difference(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B) const {
-    Vector<Scalar, D> r = u_B - u_A;
-    for (int k = 0; k < D; ++k) r[k] += shift(k);
+    Vector<Scalar, D> r;
+    for (int k = 0; k < D; ++k) r[k] = (u_B[k] - u_A[k]) + shift(k);
     return r;
   }
   Dyadic exact_difference(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, int k) const {

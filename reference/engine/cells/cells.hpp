@@ -50,10 +50,11 @@ class Cells final : public Detector<Scalar, D> {
     }
     std::size_t n = 0;
     for (std::size_t k = 0; k < touched.size(); ++k) {
+      const Asker asker = predictor_.asker(world, touched[k], time_of_asking(world));
+      const auto before = touched.begin() + static_cast<std::ptrdiff_t>(k);
       for (; n < ends_[k]; ++n) {
-        const int i = touched[k];
         const int j = neighbours_[n];
-        if (j > i || !std::binary_search(touched.begin(), touched.end(), j)) ask(world, i, j);
+        if (!std::binary_search(touched.begin(), before, j)) ask(world, asker, touched[k], j);
       }
     }
     for (const int i : touched) queue_.schedule(i, outlooks_[at(i)].due());
@@ -87,6 +88,7 @@ class Cells final : public Detector<Scalar, D> {
   }
 
  private:
+  using Asker = typename PairPredictor<Scalar, D>::Asker;
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
   void start(World<Scalar, D>& world, bool everywhere) {
@@ -100,8 +102,9 @@ class Cells final : public Detector<Scalar, D> {
       if (!everywhere && neighbourhood_.has_level(world, i)) set_look(world, i, world.now);
     }
     for (int i = 0; i < world.size(); ++i) {
+      const Asker asker = predictor_.asker(world, i, time_of_asking(world));
       for (const int j : around(world, i, {})) {
-        if (j > i) ask(world, i, j);
+        if (j > i) ask(world, asker, i, j);
       }
       queue_.schedule(i, outlooks_[at(i)].due());
     }
@@ -172,7 +175,8 @@ class Cells final : public Detector<Scalar, D> {
     const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
     asked_at_ = t;
     set_look(world, i, t);
-    for (const int j : around(world, i, left)) ask(world, i, j);
+    const Asker asker = predictor_.asker(world, i, time_of_asking(world));
+    for (const int j : around(world, i, left)) ask(world, asker, i, j);
     queue_.schedule(i, outlooks_[at(i)].due());
   }
 
@@ -185,9 +189,8 @@ class Cells final : public Detector<Scalar, D> {
 
   /// Takes the next event of a pair into the outlooks of both. An infinite mass has none: it never changes,
   /// so that its partner's is enough.
-  void ask(const World<Scalar, D>& world, int i, int j) {
-    const std::optional<Event> event =
-        predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
+  void ask(const World<Scalar, D>& world, const Asker& asker, int i, int j) {
+    const std::optional<Event> event = asker.earliest(j);
     if (!event) return;
     add(world, i, j, *event);
     if (add(world, j, i, *event)) queue_.schedule(j, outlooks_[at(j)].due());
@@ -230,9 +233,9 @@ class Cells final : public Detector<Scalar, D> {
     }
     if (outlook.knows_first() || outlook.due() == Time<Scalar>::never()) return true;
     outlook.clear();
+    const Asker asker = predictor_.asker(world, i, time_of_asking(world));
     for (const int j : around(world, i, {})) {
-      const std::optional<Event> event =
-          predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
+      const std::optional<Event> event = asker.earliest(j);
       if (event) add(world, i, j, *event);
     }
     queue_.schedule(i, outlook.due());
@@ -256,9 +259,9 @@ class Cells final : public Detector<Scalar, D> {
                      std::vector<Event>& events) {
     const Outlook<Scalar>& outlook = outlooks_[at(i)];
     if (outlook.complete_until() <= latest) {
+      const Asker asker = predictor_.asker(world, i, time_of_asking(world));
       for (const int j : around(world, i, {})) {
-        const std::optional<Event> event =
-            predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
+        const std::optional<Event> event = asker.earliest(j);
         if (event && event->time <= latest) events.push_back(*event);
       }
       return;
