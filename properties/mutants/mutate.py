@@ -1,6 +1,7 @@
 """Deliberate bugs (mutants.json): is each still there to be made, what does its source look like, which law kills it.
 
-  mutate.py check ROOT              each text to be replaced stands exactly once in its file
+  mutate.py check ROOT              each text to be replaced stands exactly once in its file, and each effect of the engine
+                                    has two mutants: in its file, or with its name as "effect"
   mutate.py overlay NAME ROOT OUT   writes OUT/FILE with the bug NAME
   mutate.py table ROOT PROGRAMS [--cases N] [--seed S] [--only NAME …] [--write PAGE]
                                     runs the laws on every mutant built in PROGRAMS, prints which law killed it after
@@ -36,6 +37,10 @@ def faults(root):
                    f"allowed: once; change \"find\" to what the source now says:\n{mutant['find']}")
         if mutant["find"] == mutant["replace"]:
             yield f"{LIST.name}: {mutant['name']}: replaces a text by itself"
+    of_effect = [mutant.get("effect", pathlib.PurePath(mutant["file"]).stem) for mutant in mutants()]
+    for effect in sorted(path.stem for path in (root / "reference/engine/effects").glob("*.hpp")):
+        if of_effect.count(effect) < 2:
+            yield f"{LIST.name}: {of_effect.count(effect)} mutants of the effect {effect}; allowed: two or more; add one"
 
 
 def write_overlay(name, root, out):
