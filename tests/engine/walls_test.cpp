@@ -2,13 +2,11 @@
 // resemble, and against the distribution of heights over a floor.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "reference/engine/simulation.hpp"
 #include "reference/run/audit.hpp"
-#include "reference/run/explain.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
 
@@ -296,24 +294,6 @@ TEST(Walls, TheAuditFindsARunThatForgetsItsWalls) {
   EXPECT_EQ(audit_bounds(run.world(), {4, 0}).inner, 0);
   run.world().particles[0].velocity = {-1, 0};  // as if it had not been turned
   EXPECT_EQ(audit_bounds(run.world(), {4, 0}).inner, 2.5 / 0x1p-51);
-}
-
-TEST(Walls, ExplainSaysWhichSideParticlesAreOn) {
-  Scene scene = testing::plain_scene(2);
-  for (const Wall::Shape shape : {Wall::Shape::plane, Wall::Shape::sphere, Wall::Shape::box}) {
-    for (const bool inside : {true, false}) {
-      Wall wall;
-      wall.shape = shape;
-      wall.inside = inside;
-      scene.walls.push_back(wall);
-    }
-  }
-  const std::vector<EffectCall> calls = explain(scene).effects;
-  const auto walls = std::ranges::find(calls, "walls", &EffectCall::name);
-  EXPECT_EQ(walls->because,
-            (std::vector<std::string>{"wall 0 (plane)", "wall 1 (plane)", "wall 2 (inside of a sphere)",
-                                      "wall 3 (outside of a sphere)", "wall 4 (inside of a box)",
-                                      "wall 5 (outside of a box)"}));
 }
 
 }  // namespace
