@@ -200,7 +200,9 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
 
 TraceFiles::TraceFiles(const RunOptions& options) {
   if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
-  if (!options.trace.empty()) trace_ = std::make_unique<Output>(options.trace, Output::Reserve::only);
+  if (options.trace.empty()) return;
+  trace_ = std::make_unique<Output>(options.trace, Output::Reserve::only);
+  trace_->write_in_background();
 }
 
 void TraceFiles::begin(const Scene& scene, const RunOptions& options, std::uint64_t state_every,

@@ -11,10 +11,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "reference/text/background_writer.hpp"
+
 namespace tps {
 namespace {
 
 constexpr std::size_t kBufferSize = 1U << 16U;
+constexpr std::size_t kBackgroundBufferSize = 1U << 18U;  // the longer, the fewer times two threads meet
 
 std::string message(const std::string& path, const char* action) {
   const std::string name = path == "-" ? "standard output" : "'" + path + "'";
@@ -73,21 +76,43 @@ Output::~Output() {
 
 void Output::write(std::string_view text) {
   buffer_.append(text);
-  if (buffer_.size() >= kBufferSize) flush();
+  if (background_ == nullptr) {
+    if (buffer_.size() >= kBufferSize) flush();
+  } else if (buffer_.size() >= kBackgroundBufferSize) {
+    wait();
+    background_->hand_over(buffer_);
+  }
+}
+
+/// Behind what could not be written nothing else is.
+void Output::wait() try {
+  if (background_ != nullptr) background_->wait();
+} catch (const OutputError&) {
+  buffer_.clear();
+  throw;
+}
+
+void Output::write_in_background() {
+  if (BackgroundWriter::pays())
+    background_ = std::make_unique<BackgroundWriter>([this](std::string_view text) { write_out(text); });
 }
 
 void Output::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+  wait();
+  std::string text;
+  text.swap(buffer_);
+  write_out(text);
+  text.clear();
+  buffer_.swap(text);  // its memory is kept
+}
+
+void Output::write_out(std::string_view text) const {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      buffer_.clear();
-      fail("write everything");
-    }
-    rest.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0) fail("write everything");
+    text.remove_prefix(static_cast<std::size_t>(written));
   }
-  buffer_.clear();
 }
 
 void Output::close() {

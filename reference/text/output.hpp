@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace tps {
+
+class BackgroundWriter;
 
 /// A result could not be written: names the file and the system's reason.
 class OutputError : public std::runtime_error {
@@ -36,6 +39,9 @@ class Output {
   /// Keeps the first `keep` bytes of the file and goes on behind them.
   void begin(std::uint64_t keep = 0);
   void write(std::string_view text);
+  /// From now on full buffers are handed to the system by a thread of their own, where it has a processor for
+  /// itself; what the system refuses is reported by the call after.
+  void write_in_background();
   /// Hands everything to the system.
   void flush();
   /// Flushes and closes; a write that fails only now is reported too.
@@ -45,12 +51,15 @@ class Output {
   /// Locked until it is closed, by whichever name or link it was opened.
   void open_locked(int mode);
   [[noreturn]] void fail(const char* action) const;
+  void wait();
+  void write_out(std::string_view text) const;
 
   std::string path_;
   int descriptor_ = -1;
   bool is_file_ = false;     ///< rather than a pipe, a terminal, a device
   bool made_empty_ = false;  ///< by us, and nothing was begun in it
   std::string buffer_;
+  std::unique_ptr<BackgroundWriter> background_;  ///< null: buffers are written by who fills them
 };
 
 /// A file whose content is replaced in one step: a reader sees the old or the new one, never a part. While

@@ -77,6 +77,12 @@ void Checker<Number>::judge_ahead(const Instant<Number>& until, const Happening<
     bounds_held_ = bounds_held_ && held;
     return good;
   };
+  if (model_.edges && happening.until != Until::ever) {
+    // To the end of a duration it is not far, and a straight path would have an image behind every edge.
+    renew_anchors(until, happening);
+    for (int i = 0; i < model_.size(); ++i) judge_meetings(i, until, happening);
+    return;
+  }
   if (model_.edges) {
     for (int i = 0; i < model_.size(); ++i) {
       for (int j = i + 1; j < model_.size(); ++j) judge_meeting(i, j, until, happening);
