@@ -4,6 +4,7 @@
 
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/lifted_query.hpp"
+#include "verify/exact/modular_query.hpp"
 
 namespace tps::exact {
 
@@ -14,6 +15,10 @@ VerdictWithCoefficients escalated_verdict(const TimingQuery& query, Counters& co
   if (verdict) return {*verdict, coefficients};
 
   ++counters.verdict.exact;
+  if (const std::optional<ModularQuadratic> modular = modular_quadratic(query, coefficients)) {
+    counters.largest_bits = std::max<std::uint64_t>(counters.largest_bits, ModularInteger::kBits);
+    return {verdict_of(query.kind, *modular), coefficients};
+  }
   const LiftedQuadratic quadratic = lifted_quadratic(query, units_of(query));
   counters.largest_bits = std::max(counters.largest_bits, largest_bits(quadratic));
   return {verdict_of(query.kind, quadratic), coefficients};

@@ -1,29 +1,12 @@
 #include "verify/exact/lifted_query.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "verify/exact/odd_multiple.hpp"
 
 namespace tps::exact {
 namespace {
-
-/// x = mantissa · 2^exponent with an odd mantissa, or 0 with the largest exponent.
-struct Dyadic {
-  std::int64_t mantissa;
-  int exponent;
-};
-
-Dyadic dyadic(double x) {
-  if (x == 0) return {0, std::numeric_limits<int>::max()};
-  int exponent = 0;
-  auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-  exponent -= 53;
-  while (mantissa % 2 == 0) {
-    mantissa /= 2;
-    ++exponent;
-  }
-  return {mantissa, exponent};
-}
 
 int smallest_exponent(const Vec3& x, const Vec3& y) {
   int smallest = std::numeric_limits<int>::max();
@@ -45,11 +28,11 @@ Integer dot(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y) {
 }  // namespace
 
 int unit_of(double x) {
-  return dyadic(x).exponent;
+  return odd_multiple(x).exponent;
 }
 
 Integer lifted(double x, int unit) {
-  const Dyadic d = dyadic(x);
+  const OddMultiple d = odd_multiple(x);
   if (d.mantissa == 0) return 0;
   return Integer(d.mantissa) << static_cast<unsigned>(d.exponent - unit);
 }

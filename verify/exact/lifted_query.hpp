@@ -12,9 +12,10 @@
 
 namespace tps::exact {
 
-/// Without expression templates: `auto` and `?:` then mean what they say.
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+/// Without expression templates: `auto` and `?:` then mean what they say. Up to 1024 bits nothing is
+/// allocated.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>,
+                                              boost::multiprecision::et_off>;
 
 /// The two units, as powers of two: lengths are multiples of 2^length, velocities of 2^speed.
 struct LiftUnits {

@@ -5,6 +5,7 @@
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/exact_root.hpp"
 #include "verify/exact/exact_verdict.hpp"
+#include "verify/exact/modular_query.hpp"
 #include "verify/exact/plane_query.hpp"
 #include "verify/exact/plane_time.hpp"
 #include "verify/exact/refined_root.hpp"
@@ -34,6 +35,14 @@ std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoeff
   return twice ? twice->rounded() : std::nullopt;
 }
 
+/// The same where double words bound the integers of the query.
+std::optional<double> modular_time(const TimingQuery& query, Verdict verdict, Counters& counters) {
+  const std::optional<ModularQuadratic> quadratic = modular_quadratic(query, double_word_coefficients(query));
+  if (!quadratic) return std::nullopt;
+  counters.largest_bits = std::max<std::uint64_t>(counters.largest_bits, ModularInteger::kBits);
+  return rounded_time(query.kind, verdict, *quadratic);
+}
+
 double time_by_integers(const TimingQuery& query, Verdict verdict, Counters& counters) {
   if (query.kind == Kind::plane) return rounded(plane_time(query, units_of(query)), 0);
   const LiftedQuadratic quadratic = lifted_quadratic(query, units_of(query));
@@ -59,7 +68,8 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
   const std::optional<double> fast = fast_time(query, known, counters);
   if (fast) return {known.verdict, fast};
   ++counters.time.exact;
-  return {known.verdict, time_by_integers(query, known.verdict, counters)};
+  const std::optional<double> modular = modular_time(query, known.verdict, counters);
+  return {known.verdict, modular ? *modular : time_by_integers(query, known.verdict, counters)};
 }
 
 TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters) {
