@@ -76,20 +76,20 @@ TEST(ModularInteger, IsCutOffToDoubleWords) {
 /// bits.
 TEST(ModularQuery, AnswersAsTheIntegersDo) {
   std::size_t grazes = 0, answered = 0, times = 0;
-  const auto strata = strata::all(3, 400);
+  const std::vector<strata::Stratum> strata = strata::all(3, 400);
   for (std::size_t n = 0; n < strata.size(); ++n) {
     for (const TimingQuery& query : strata[n].queries) {
       if (!valid(query) || query.kind == Kind::plane || is_static(query)) continue;
-      grazes += n == 1 ? 1 : 0;
+      grazes += n == 1 ? 1U : 0U;
       const auto quadratic = modular_quadratic(query, double_word_coefficients(query));
       if (!quadratic) continue;
-      answered += n == 1 ? 1 : 0;
+      answered += n == 1 ? 1U : 0U;
       Counters counters;
       const TimingAnswer right = rounded_time_by_integers(query, counters);
       ASSERT_EQ(verdict_of(query.kind, *quadratic), right.verdict);
       if (!occurs(right.verdict) || at_once(right.verdict)) continue;
       const auto time = rounded_time(query.kind, right.verdict, *quadratic);
-      times += time ? 1 : 0;
+      times += time ? 1U : 0U;
       if (time) {
         ASSERT_EQ(*time, *right.t);
       }

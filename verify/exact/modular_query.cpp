@@ -38,14 +38,14 @@ DoubleWord in_double_words(const ModularInteger& x) {
 
 /// √x to 5u²: one Newton step from the root of the high part (docs/exact.md, "Integers of 256 bits").
 /// REQUIRES x > 0.
-inline DoubleWord square_root(DoubleWord x) {
+TPS_IN_EVERY_COPY DoubleWord square_root(DoubleWord x) {
   const double root = std::sqrt(x.hi);
   const DoubleWord rest = x - two_product(root, root);
   return fast_two_sum(root, rest.hi / (2 * root));
 }
 
 /// x/y to 8u², as a first quotient and that of the rest.
-inline RefinedTime quotient(DoubleWord x, DoubleWord y) {
+TPS_IN_EVERY_COPY RefinedTime quotient(DoubleWord x, DoubleWord y) {
   const double first = x.hi / y.hi;
   const DoubleWord rest = x - y * first;
   return {first, rest.hi / y.hi, 0};
