@@ -12,6 +12,13 @@
 
 namespace tps {
 
+/// What is certain about the next event of a pair without asking for it.
+template <typename Scalar>
+struct Foresight {
+  bool misses;        ///< it has none
+  Scalar not_before;  ///< it has none before so long after t; 0: that is not known
+};
+
 /// A filter for the verdict of eq. (2) at an inner limit L: one particle as it is at a time t, beside others.
 ///
 /// Notation: r, v the relative state at t, by the nearest image; a = v·v, h = r·v, D = h² − a (r² − L²); δ
@@ -34,13 +41,17 @@ class MissFilter {
     for (int k = 0; k < D; ++k) {
       place_[k] = own.position[k] + own.velocity[k] * age_;
       size_ += abs(own.position[k]) + abs(own.velocity[k]) * (abs(age_) + doubt_);
+      speed_ += abs(own.velocity[k]);
     }
   }
 
-  /// Whether the pair with another particle certainly has no event at L, whichever formula is asked, but the
-  /// literal one: it parts (h > 0) or passes by (D < 0, so that a c > h² ≥ 0). Then every number of the pair
-  /// is finite, too, and in a box its image is known.
-  bool misses(const State& other, const Scalar& L) const {
+  /// What is certain about the next event of the pair with another particle at L, whichever formula is asked,
+  /// but the literal one.
+  ///
+  /// None, where the pair parts (h > 0) or passes by (D < 0, so that a c > h² ≥ 0). Where it approaches from
+  /// well outside, c > 2²² ε S², none before c/(√(D + 256u a S²) − h) from t on, less a 2⁻¹⁵th. In either
+  /// case every number of the pair is finite, and in a box its image is known until then.
+  Foresight<Scalar> foresee(const State& other, const Scalar& L) const {
     using std::abs;
     constexpr Scalar epsilon = Limits::epsilon();
     const Scalar age = since(other.clock);
@@ -57,14 +68,23 @@ class MissFilter {
       h += r * v;
       r_squared += r * r;
     });
+    const Scalar c = r_squared - L * L;
     const Scalar h_then = h - a * std::min(age, age_);
     const Scalar scale = a * S * S;
+    const Scalar doubt = Scalar(128) * epsilon * scale;
+    const Scalar discriminant = h * h - a * c;
     // Without branches: half of all pairs part, in no order that a processor could guess.
     const bool parts = (h_then > Scalar(0)) & (h_then * h_then > Scalar(4096) * epsilon * epsilon * scale);
-    const bool passes_by = a * (r_squared - L * L) - h * h > Scalar(128) * epsilon * scale;
+    const bool passes_by = -discriminant > doubt;
     const bool in_range =
         (a > kSmallest * kSmallest) & (a < kLargest * kLargest) & (S > kSmallest) & (S < largest_);
-    return (parts | passes_by) & in_range & is_nearest;
+    if ((parts | passes_by) & in_range & is_nearest) return {true, Scalar(0)};
+    const bool is_outside = c > Scalar(0x1p22) * epsilon * S * S;
+    if (!(in_range & is_nearest & is_outside) || !(h < Scalar(0))) return {false, Scalar(0)};
+    const Scalar dt = c / (std::sqrt(discriminant + doubt) - h);
+    if (box_ != nullptr && !(S + Scalar(2) * dt * (speed_ + other.velocity.cwiseAbs().sum()) < largest_))
+      return {false, Scalar(0)};
+    return {false, dt * Scalar(1 - 0x1p-15)};
   }
 
  private:
@@ -86,7 +106,7 @@ class MissFilter {
   Time<Scalar> t_;
   const PeriodicBox<Scalar, D>* box_;
   Vector<Scalar, D> place_, velocity_;
-  Scalar age_, doubt_, size_, largest_;
+  Scalar age_, doubt_, size_, largest_, speed_{0};
 };
 
 /// Scalars of software, whose operations are not all within u, are spared nothing.
@@ -94,7 +114,9 @@ template <typename Scalar, int D>
 class MissFilter<Scalar, D, false> {
  public:
   MissFilter(const ParticleState<Scalar, D>&, const Time<Scalar>&, const PeriodicBox<Scalar, D>*) {}
-  bool misses(const ParticleState<Scalar, D>&, const Scalar&) const { return false; }
+  Foresight<Scalar> foresee(const ParticleState<Scalar, D>&, const Scalar&) const {
+    return {false, Scalar(0)};
+  }
 };
 
 }  // namespace tps

@@ -20,6 +20,8 @@ class PairPredictor {
  public:
   using Effects = std::vector<std::unique_ptr<Effect<Scalar, D>>>;
 
+  static constexpr int kUnasked = -1;  ///< in the place of an effect
+
   /// The effects must outlive it.
   explicit PairPredictor(const Effects& effects) {
     for (std::size_t n = 0; n < effects.size(); ++n) {
@@ -53,17 +55,31 @@ class PairPredictor {
 
     /// The earliest event of the pair of i and j ≠ i: the answer of PairPredictor::earliest().
     std::optional<PendingEvent<Scalar>> earliest(int j) const {
-      if (misses(j)) return std::nullopt;
-      return predictor_.earliest(world_, std::min(i_, j), std::max(i_, j), t_);
+      if (glance(j).misses) return std::nullopt;
+      return asked(j);
+    }
+
+    /// The same; or, with `kUnasked` in the place of its effect, a time before which it has none, which takes
+    /// less than to know its event. Most events never come: before they are due, one of the two is touched.
+    std::optional<PendingEvent<Scalar>> foreseen(int j) const {
+      const auto [misses, not_before] = glance(j);
+      if (misses) return std::nullopt;
+      if (!(not_before > Scalar(0))) return asked(j);
+      return world_.pending(after(t_, not_before), Rank::collision, std::min(i_, j), std::max(i_, j), 0,
+                            kUnasked);
     }
 
    private:
-    /// A pair that has no tether has one limit.
-    bool misses(int j) const {
+    std::optional<PendingEvent<Scalar>> asked(int j) const {
+      return predictor_.earliest(world_, std::min(i_, j), std::max(i_, j), t_);
+    }
+
+    /// What the filter says of a pair. One that has no tether has one limit.
+    Foresight<Scalar> glance(int j) const {
       const Law<Scalar>& law = world_.law(i_, j);
-      if (!law.blocking || world_.timing.literal()) return false;
-      if (!filter_.misses(world_.particles[world_.index(j)], law.blocking->distance)) return false;
-      return !law.tethering || !(law.tethering->permanent || is_tethered_to(j));
+      if (!law.blocking || world_.timing.literal()) return {false, Scalar(0)};
+      if (law.tethering && (law.tethering->permanent || is_tethered_to(j))) return {false, Scalar(0)};
+      return filter_.foresee(world_.particles[world_.index(j)], law.blocking->distance);
     }
     bool is_tethered_to(int j) const {
       return std::find(tethered_.begin(), tethered_.end(), j) != tethered_.end();

@@ -118,6 +118,21 @@ constexpr const char* kBalls =
 
 /// The last events of a gas in free space are far apart in time and space, and then there are none: a run
 /// without an end comes to know that.
+/// More than a particle keeps of what is ahead, all at one instant: whatever is asked first, the others are
+/// not behind it.
+TEST(Detectors, SixAtOnceMeetOneThatKeepsThree) {
+  SceneText text(3);
+  text.particle("ball", {0, 0, 0}, {0, 0, 0});
+  for (const double side : {-2., 2.}) {
+    text.particle("ball", {side, 0, 0}, {-side / 2, 0, 0});
+    text.particle("ball", {0, side, 0}, {0, -side / 2, 0});
+    text.particle("ball", {0, 0, side}, {0, 0, -side / 2});
+  }
+  const Scene scene = text.scene(R"("dimension":3,"duration":20,"species":{"ball":{"mass":1,"radius":0.5}},
+                    "pairs":[{"between":["ball","ball"],"blocking":{"c_rebound":1}}])");
+  expect_one_course<3>(scene, 6);
+}
+
 TEST(Detectors, AGasThatExpandsForEver) {
   expect_one_course<3>(cloud(2, 1).scene(R"("dimension":3,"duration":"inf")" + std::string(kBalls)), 60,
                        100000);

@@ -1,4 +1,5 @@
-// What spares most pairs a question: certain misses, beside the answers that the pairs would have had.
+// What spares most pairs a question: certain misses, and times before which nothing happens, beside the
+// answers that the pairs would have had.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -50,12 +51,13 @@ class PassesBy : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(PassesBy, Scalars);
 
-/// From grazing ones, which rounding could turn either way, to such that miss by far; near and far images.
+/// Nor is it too late for who is asked later. From grazing ones, which rounding could turn either way, to
+/// such that miss by far; near and far images.
 TYPED_TEST(PassesBy, WhoIsSparedWouldHaveHadNoEvent) {
   using Scalar = TypeParam;
   std::mt19937_64 bits(1);
   certified::ExactTiming certifier;
-  int spared = 0, misses = 0;
+  int spared = 0, misses = 0, foreseen = 0, close = 0;
   for (int n = 0; n < 20000; ++n) {
     const double off = std::ldexp(n % 2 == 0 ? 1. : -1., -static_cast<int>(bits() % 60));
     const double edge = n % 3 == 0 ? 0 : n % 3 == 1 ? 20 : 0x1p10;
@@ -73,17 +75,25 @@ TYPED_TEST(PassesBy, WhoIsSparedWouldHaveHadNoEvent) {
       const LimitQuestion<Scalar> question{TimingKind::block, L, false};
       const auto answer = world.box ? world.timing.next(world.imaged_view(0, 1, now), question)
                                     : world.timing.next(world.view(0, 1), question);
+      misses += answer ? 0 : 2;
       for (const std::size_t own : {0U, 1U}) {
         const MissFilter<Scalar, 3> filter(world.particles[own], now, world.box.get());
-        const bool is_spared = filter.misses(world.particles[1 - own], L);
+        const auto [is_spared, not_before] = filter.foresee(world.particles[1 - own], L);
         EXPECT_FALSE(is_spared && answer) << n;
         spared += is_spared ? 1 : 0;
-        misses += answer ? 0 : 1;
+        if (!(not_before > Scalar(0))) continue;
+        foreseen += 1;
+        close += answer && after(world.view(0, 1).start, *answer) <= after(now, not_before * Scalar(1.001))
+                     ? 1
+                     : 0;
+        EXPECT_FALSE(answer && after(world.view(0, 1).start, *answer) < after(now, not_before)) << n;
       }
     }
   }
   EXPECT_GT(spared, misses / 3);  // half of those part, which even a float can tell
   EXPECT_GT(misses, spared);
+  EXPECT_GE(close, foreseen / 2);  // the others are grazing ones, and misses that look like those
+  EXPECT_EQ(foreseen > 1000, sizeof(Scalar) > sizeof(float));
 }
 
 /// The question stands at the later of the two clocks: a pair that parts now, but approached then, may have
@@ -94,7 +104,7 @@ TEST(PassesByThen, WhoPartsNowButApproachedWhenTheQuestionStandsIsNotSpared) {
     const ParticleState<double, 3> resting{{0, 0, 0}, {0, 0, 0}, {clock}};
     const ParticleState<double, 3> passing{{clock - 2, 0.5, 0}, {1, 0, 0}, {clock}};
     const MissFilter<double, 3> filter(passing, now, nullptr);
-    return filter.misses(resting, 1);
+    return filter.foresee(resting, 1).misses;
   };
   EXPECT_FALSE(spared(1));
   EXPECT_TRUE(spared(3));

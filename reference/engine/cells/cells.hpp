@@ -7,6 +7,7 @@
 
 #include "reference/engine/cells/neighbourhood.hpp"
 #include "reference/engine/cells/outlook.hpp"
+#include "reference/engine/cells/pair_events.hpp"
 #include "reference/engine/cells/particle_queue.hpp"
 #include "reference/engine/detector.hpp"
 #include "reference/engine/pair_predictor.hpp"
@@ -77,14 +78,7 @@ class Cells final : public Detector<Scalar, D> {
     fetch_what_comes_next(world);
     const std::size_t first = events.size();
     for (const int i : due_) append_events(world, i, latest, events);
-    if (events.size() - first <= 1) return;
-    // A pair is in the outlooks of both.
-    const auto pair_of = [](const Event& event) { return std::pair(event.first, event.second); };
-    const auto begin = events.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(begin, events.end(), [&](const Event& a, const Event& b) { return pair_of(a) < pair_of(b); });
-    events.erase(std::unique(begin, events.end(),
-                             [&](const Event& a, const Event& b) { return pair_of(a) == pair_of(b); }),
-                 events.end());
+    keep_each_pair_once(events, first);
   }
 
  private:
@@ -167,7 +161,10 @@ class Cells final : public Detector<Scalar, D> {
 
   /// A particle leaves its region: it is filed anew, and asked about those whom it can meet from there only.
   void look(World<Scalar, D>& world, int i) {
-    if (++looks_since_event_ > most_looks(world) && !world.box) {
+    // As many looks in a row cost as much as asking all pairs: by then nobody may meet anyone any more, and
+    // only that would tell.
+    const auto n = static_cast<std::uint64_t>(world.size());
+    if (++looks_since_event_ > 64 + n * n / 8 && !world.box) {
       start(world, true);
       return;
     }
@@ -180,17 +177,10 @@ class Cells final : public Detector<Scalar, D> {
     queue_.schedule(i, outlooks_[at(i)].due());
   }
 
-  /// Looks in a row that cost as much as asking all pairs: by then nobody may meet anyone any more, and only
-  /// that would tell.
-  static std::uint64_t most_looks(const World<Scalar, D>& world) {
-    const auto n = static_cast<std::uint64_t>(world.size());
-    return 64 + n * n / 8;
-  }
-
   /// Takes the next event of a pair into the outlooks of both. An infinite mass has none: it never changes,
   /// so that its partner's is enough.
   void ask(const World<Scalar, D>& world, const Asker& asker, int i, int j) {
-    const std::optional<Event> event = asker.earliest(j);
+    const std::optional<Event> event = asker.foreseen(j);
     if (!event) return;
     add(world, i, j, *event);
     if (add(world, j, i, *event)) queue_.schedule(j, outlooks_[at(j)].due());
@@ -199,6 +189,22 @@ class Cells final : public Detector<Scalar, D> {
   /// Images are those of now, or of the last look where that was later: looks come in their order.
   Time<Scalar> time_of_asking(const World<Scalar, D>& world) const {
     return world.now < asked_at_ ? asked_at_ : world.now;
+  }
+
+  /// Asks for a meeting of which a particle knows only when it is not yet. @return whether it was one of
+  /// those.
+  bool ask_if_unasked(const World<Scalar, D>& world, int i, int n) {
+    const Partner partner = outlooks_[at(i)].partner(n);
+    if (partner.effect != PairPredictor<Scalar, D>::kUnasked) return false;
+    const int j = partner.particle;
+    const std::optional<Event> event =
+        predictor_.earliest(world, std::min(i, j), std::max(i, j), time_of_asking(world));
+    for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
+      outlooks_[at(own)].forget(other);
+      if (event) add(world, own, other, *event);
+      queue_.schedule(own, outlooks_[at(own)].due());
+    }
+    return true;
   }
 
   bool add(const World<Scalar, D>& world, int i, int partner, const Event& event) {
@@ -231,7 +237,9 @@ class Cells final : public Detector<Scalar, D> {
       look(world, i);
       return false;
     }
-    if (outlook.knows_first() || outlook.due() == Time<Scalar>::never()) return true;
+    if (outlook.knows_first()) return !ask_if_unasked(world, i, 0);
+    if (outlook.due() == Time<Scalar>::never()) return true;
+    // Times themselves: times before which nothing happens, tied, could give way to each other for ever.
     outlook.clear();
     const Asker asker = predictor_.asker(world, i, time_of_asking(world));
     for (const int j : around(world, i, {})) {
@@ -242,13 +250,17 @@ class Cells final : public Detector<Scalar, D> {
     return false;
   }
 
-  /// Whether none of the particles that are due has to look first. Else one of them has looked.
+  /// Whether none of the particles that are due has to look, or to ask, first. Else one of them has.
   bool are_ready(World<Scalar, D>& world, const Time<Scalar>& latest) {
     for (const int i : due_) {
       if (drop_void(world, i)) return false;
       if (outlooks_[at(i)].look <= latest && outlooks_[at(i)].look < Time<Scalar>::never()) {
         look(world, i);
         return false;
+      }
+      const Outlook<Scalar>& outlook = outlooks_[at(i)];
+      for (int n = 0; n < outlook.count() && outlook.time(n) <= latest; ++n) {
+        if (is_live(world, outlook.partner(n)) && ask_if_unasked(world, i, n)) return false;
       }
     }
     return true;

@@ -13,11 +13,12 @@ namespace tps {
 struct Partner {
   int particle;
   std::uint32_t revision;  ///< of the partner when this was predicted
-  int effect;
+  int effect;              ///< PairPredictor::kUnasked: known is only a time before which they do not meet
 };
 
 /// The earliest meetings of a particle, ascending; of doubles, two cache lines. Law: every live event of the
-/// particle with a pair that has been asked is among them, or at or after complete_until().
+/// particle with a pair that has been asked is among them, at their time or later where it is unasked, or at
+/// or after complete_until().
 template <typename Scalar>
 class alignas(sizeof(Scalar) == 8 ? 64 : alignof(Time<Scalar>)) Outlook {
  public:
@@ -62,15 +63,6 @@ class alignas(sizeof(Scalar) == 8 ? 64 : alignof(Time<Scalar>)) Outlook {
     for (int n = 0; n < count_; ++n) move(n + 1, n);
   }
 
- private:
-  static constexpr int kRoom = 3;
-  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
-  void move(int from, int to) {
-    times_[at(to)] = times_[at(from)];
-    partners_[at(to)] = partners_[at(from)];
-  }
-
   void forget(int particle) {
     int kept = 0;
     for (int n = 0; n < count_; ++n) {
@@ -79,6 +71,15 @@ class alignas(sizeof(Scalar) == 8 ? 64 : alignof(Time<Scalar>)) Outlook {
       ++kept;
     }
     count_ = kept;
+  }
+
+ private:
+  static constexpr int kRoom = 3;
+  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+  void move(int from, int to) {
+    times_[at(to)] = times_[at(from)];
+    partners_[at(to)] = partners_[at(from)];
   }
 
   Time<Scalar> complete_until_ = Time<Scalar>::never();
