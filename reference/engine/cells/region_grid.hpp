@@ -123,7 +123,8 @@ class RegionGrid {
         const int j = heads[n];
         const FiledRegion<D>& at_j = filed[at(j)];
         found[end] = j;
-        end += range.contains(at_j.region) & keep(j, at_j.region) ? 1U : 0U;
+        const bool is_in = range.contains(at_j.region), is_wanted = keep(j, at_j.region);
+        end += (is_in & is_wanted) ? 1U : 0U;
         heads[left] = at_j.next;
         left += at_j.next >= 0 ? 1U : 0U;
       }
