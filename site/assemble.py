@@ -50,7 +50,10 @@ def with_links(text, page, copied):
 def hard_cases():
     """A few planar cases of each stratum of known answers, by operation: {"op": [{"id", "why", "in"}, …]}."""
     cases = {}
-    for file in sorted((ROOT / "data" / "vectors").glob("*.jsonl")):
+    # Grazes and limits are where formulas differ; what is merely planar comes last.
+    def order(file):
+        return (not re.search(r"graze|touching|taut|tangent|limit", file.stem), "planar" in file.stem, file.stem)
+    for file in sorted((ROOT / "data" / "vectors").glob("*.jsonl"), key=order):
         lines = [json.loads(line) for line in file.read_text().splitlines()]
         planar = [c for c in lines[1:] if "u_A" in c["in"] and len(c["in"]["u_A"]) == 2 or "v_A" in c["in"] and len(c["in"]["v_A"]) == 2]
         for case in planar[:CASES_OF_A_STRATUM]:
@@ -102,6 +105,7 @@ def main():
             text = f'{heading}\n\n<div class="tps-equation" data-ops="{LIVE[page.stem]}"></div>\n{rest}'
         (target / page.name).write_text(text)
     shutil.copy(ROOT / "docs" / "terminal.svg", target)
+    shutil.copytree(ROOT / "docs" / "scenes", target / "scenes")
     for name in sorted(copied):
         kept = name if name.endswith((".html", ".svg", ".png")) else f"{name}.txt"
         (target / "files" / kept).parent.mkdir(parents=True, exist_ok=True)

@@ -34,7 +34,7 @@ tpsLive.Equation = class {
     this.lawList = element('ul', { className: 'tps-says' });
     this.code = element('div', { className: 'tps-code', tabIndex: 0 });
     this.operation = element('select', { 'aria-label': 'Operation' }, ...this.ops.map((op) => element('option', { value: op }, op)));
-    this.operation.addEventListener('change', () => this.choose(this.operation.value));
+    this.operation.addEventListener('change', () => this.choose(this.operation.value, this.answersSame(this.operation.value) ? this.values : {}));
     const button = (text, action) => {
       const b = element('button', { type: 'button' }, text);
       b.addEventListener('click', action);
@@ -42,15 +42,21 @@ tpsLive.Equation = class {
     };
     this.copied = element('span', { role: 'status' });
     this.root.replaceChildren(
-      element('div', { className: 'tps-live-row' }, element('label', {}, 'operation ', this.operation), button('a hard case', () => this.hardCase()), button('start again', () => this.choose(this.operation.value)),
+      element('div', { className: 'tps-live-row' }, element('label', {}, 'operation ', this.operation), button('a hard case', () => this.hardCase()), button('start again', () => { this.figure.scale = undefined; this.choose(this.operation.value); }),
         button('copy as tps eval …', () => this.copy(this.command())), button('copy as a request', () => this.copy(JSON.stringify({ seq: 1, op: this.op, in: this.request() }))),
         button('copy as known answer', () => this.copyKnownAnswer()), button('copy a link', () => this.copy(location.href.split('#')[0] + this.fragment())), this.copied),
       element('div', { className: 'tps-columns' }, element('div', {}, this.figure.element), element('div', {}, this.inputs)),
       this.says, element('div', { className: 'tps-scroll' }, this.answers), this.lawList, element('details', {}, element('summary', {}, 'The code that computes it'), this.code));
   }
 
+  /** Whether an operation asks about the same pair, so that its answer can be read beside this one's: (2) as printed beside (2) without cancellation. */
+  answersSame(op) {
+    return [this.op, op].every((each) => ['block_time', 'paper_time'].includes(each));
+  }
+
   async choose(op, values) {
     this.ask = await tpsLive.reference();
+    this.copied.textContent = '';
     this.op = op;
     this.operation.value = op;
     if (!tpsLive.operations) tpsLive.operations = this.ask({ do: 'operations' }).operations;
@@ -69,7 +75,7 @@ tpsLive.Equation = class {
     this.inputs.replaceChildren(...this.keys.flatMap((key) => {
       const fields = this.values[key].map((text, n) => {
         const field = element('input', { value: text, spellcheck: false, 'aria-label': this.values[key].length > 1 ? `${key}, ${'xyz'[n]}` : key });
-        field.addEventListener('input', () => { this.values[key][n] = field.value; this.answer(); });
+        field.addEventListener('input', () => { this.values[key][n] = field.value; this.copied.textContent = ''; this.answer(); });
         return field;
       });
       this.fields.set(key, fields);
@@ -127,6 +133,8 @@ tpsLive.Equation = class {
       const ulps = tpsLive.ulpsApart(tpsLive.numberOf(mine.t), tpsLive.numberOf(sure.t));
       return [`Certified: ${sure.verdict}, Δt = ${sure.t}; the answer in double is ${ulps === 0n ? 'the nearest one' : `${ulps} ulp off`}.`];
     }
+    const approaches = this.op === 'tether_response' && Number(result(this.report, 'v_n')?.decimal?.[0] ?? this.report.steps.find((q) => q.key === 'v_n')?.decimal?.[0]) < 0;
+    if (approaches) return ['v_n < 0: this pair comes together, and a taut tether does not pull it. No event of a run asks this question; the answer is what the formulas give.'];
     const known = this.knownAnswer();
     if (!known) return this.besideFiftyDigits();
     const one = known.case;
@@ -161,7 +169,7 @@ tpsLive.Equation = class {
   copyKnownAnswer() {
     const known = this.knownAnswer();
     if (known) this.copy(`${JSON.stringify(known.header)}\n${JSON.stringify(known.case)}\n`);
-    else this.copied.textContent = 'this question has no known answer';
+    else this.copied.textContent = 'not copied: known answers are of certified operations, and this is none';
   }
 
   showAnswers() {
@@ -226,7 +234,8 @@ tpsLive.Equation = class {
 
   drawFigure() {
     const v = Object.fromEntries(Object.entries(this.values).map(([key, texts]) => [key, texts.map(tpsLive.numberOf)]));
-    if (Object.values(v).flat().some((x) => Number.isNaN(x)) || Object.values(v).some((x) => x.length > 2)) return;
+    const places = Object.entries(v).filter(([key]) => !/^[mc]/.test(key)).flatMap(([, x]) => x);
+    if (Object.values(v).flat().some((x) => Number.isNaN(x)) || places.some((x) => !Number.isFinite(x)) || Object.values(v).some((x) => x.length > 2)) return;
     const placed = Boolean(v.u_A);
     const place = { A: placed ? v.u_A : [-2, 0], B: placed ? v.u_B : [2, 0] };
     const shown = { bodies: [], arrows: [], circles: [] };
@@ -262,8 +271,9 @@ tpsLive.Equation = class {
     this.caseNumber = ((this.caseNumber ?? -1) + 1) % cases.length;
     const one = cases[this.caseNumber];
     this.figure.scale = undefined;
-    this.choose(this.op, Object.fromEntries(Object.entries(one.in).map(([key, x]) => [key, [].concat(x).map(String)])));
-    this.copied.textContent = `${one.id}: ${one.why}`;
+    this.choose(this.op, Object.fromEntries(Object.entries(one.in).map(([key, x]) => [key, [].concat(x).map(String)]))).then(() => {
+      this.copied.textContent = `case ${this.caseNumber + 1} of ${cases.length}, ${one.id}: ${one.why}`;
+    });
   }
 
   command() {

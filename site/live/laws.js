@@ -26,13 +26,13 @@ const tpsPlanar = (values) => tpsVectors(values).every((x) => x.length === 2);
  * (`becomes`: key and numbers to key and numbers). Without `ask`, `holds` looks at the present answer alone.
  */
 tpsLive.laws = [
-  { name: 'A and B exchanged: the same event, the opposite impulse',
+  { name: 'A and B exchanged: the same answer, impulses reversed',
     ask(values) {
       const partner = (key) => key.replace(/_[AB]$/, (end) => (end === '_A' ? '_B' : '_A'));
       return tpsLive.mapValues(Object.fromEntries(Object.keys(values).map((key) => [key, values[partner(key)] ?? values[key]])), (key, x) => (key === 'dp' ? x.map((c) => -c) : x));
     },
     becomes: (key, x) => (/^dp/.test(key) ? [key, x.map((c) => -c)] : [{ v_A: 'v_B', v_B: 'v_A' }[key] ?? key, x]) },
-  { name: 'velocities doubled: times halve, impulses and speeds double', factors: { velocity: 2, impulse: 2, time: 0.5 } },
+  { name: 'velocities doubled: times halve, whatever is an impulse or a speed doubles', factors: { velocity: 2, impulse: 2, time: 0.5 } },
   { name: 'lengths and velocities doubled: the same times and verdict, twice the impulses', applies: (values) => 'u_A' in values, factors: { length: 2, velocity: 2, impulse: 2 } },
   { name: 'masses doubled: twice the impulses, the same velocities', applies: (values) => 'm_A' in values, factors: { mass: 2, impulse: 2 } },
   { name: 'the first axis reflected: everything else stays', ...((reflect) => ({ ask: (values) => tpsLive.mapValues(values, reflect), becomes: (key, x) => [key, reflect(key, x)] }))(

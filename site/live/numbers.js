@@ -1,9 +1,12 @@
 // Numbers as people type them and as files spell them; no arithmetic of the paper.
 'use strict';
 
+/** As pages print and people write a number: with the sign − of print, with a plus. */
+tpsLive.plain = (text) => text.trim().replace(/^\u2212/, '-').replace(/([ep])\u2212/i, '$1-').replace(/^\+/, '');
+
 /** A decimal or a hexadecimal float as the nearest double; NaN where it is neither. */
 tpsLive.numberOf = function (text) {
-  text = text.trim();
+  text = tpsLive.plain(text);
   if (text === 'inf') return Infinity;
   const hex = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([+-]?\d+)$/i.exec(text);
   if (!hex) return /^-?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
@@ -13,7 +16,7 @@ tpsLive.numberOf = function (text) {
 };
 
 /** As a request has it: what is typed in hexadecimal goes as it is, decimals as the double that they are nearest to. */
-tpsLive.asRequested = (text) => (/x|inf/i.test(text) ? text.trim() : tpsLive.numberOf(text));
+tpsLive.asRequested = (text) => (/x|inf/i.test(text) ? tpsLive.plain(text) : tpsLive.numberOf(text));
 
 /** Doubles counted, so that differences are ulps. */
 tpsLive.place = function (x) {
@@ -29,7 +32,7 @@ tpsLive.nearestPlace = ([lo, hi], which) => tpsLive.place(tpsLive.numberOf(which
 /** "nearest", or the largest of distances that are counted in doubles. */
 tpsLive.ulpsWords = function (distances) {
   const most = distances.reduce((m, d) => { const size = d < 0n ? -d : d; return size > m ? size : m; }, 0n);
-  return most === 0n ? 'nearest' : `${most} ulp`;
+  return most === 0n ? 'nearest' : `${most} ulp off`;
 };
 
 /** Nine digits for the eye. */
