@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/case.hpp"
+#include "reference/equations/wide_square_root.hpp"
 
 namespace tps::properties {
 
@@ -44,7 +45,7 @@ inline WideVector cross(const WideVector& a, const WideVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline Wide norm(const WideVector& a) {
-  return sqrt(dot(a, a));
+  return square_root(dot(a, a));
 }
 
 /// The components one by one.

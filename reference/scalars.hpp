@@ -5,6 +5,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <string_view>
 
+#include "reference/equations/wide_square_root.hpp"
+
 namespace tps {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;  ///< 113 bits

@@ -1,4 +1,5 @@
 #include "properties/conform/timing_margin.hpp"
+#include "reference/equations/square_root.hpp"
 
 #include <array>
 #include <cmath>
@@ -24,7 +25,7 @@ struct Errors {
 /// As certain_verdict() and landing_error() have them (properties/laws/limits.hpp).
 Errors stable_errors(const LimitQuery& query, const Coefficients& q, const Wide& u) {
   const Wide rounding = is_exact(query, u) ? Wide(0) : Wide(u * kSlack);
-  const Wide speed = sqrt(q.a), crossed = norm(cross(q.r, q.v)), reach = q.distance + q.L;
+  const Wide speed = square_root(q.a), crossed = norm(cross(q.r, q.v)), reach = q.distance + q.L;
   const Wide landing = landing_error(q, u);
   return {5 * rounding * q.distance * speed, 8 * rounding * reach * reach,
           u * kSlack * (37 * q.a * q.L * q.L + 4 * crossed * crossed + 6 * crossed * q.distance * speed),
@@ -74,7 +75,7 @@ bool is_time_of(Verdict verdict, const LimitQuery& query, const Coefficients& q,
   if (at_once(verdict)) return *t == 0;
   const Wide at(*t);
   if (verdict == Verdict::turning)
-    return abs(Wide(q.h + q.a * at)) <= 11 * u * q.distance * sqrt(q.a) * kSlack;
+    return abs(Wide(q.h + q.a * at)) <= 11 * u * q.distance * square_root(q.a) * kSlack;
   const WideVector apart = q.r + at * q.v;
   return abs(Wide(dot(apart, apart) - q.L * q.L)) <= e.q && is_on_branch(query, q, e, at);
 }
@@ -104,8 +105,8 @@ std::optional<Moment> moment_of(const LimitQuery& query, const Coefficients& q, 
   if (verdicts.size() > 1 || (verdicts[0] == Verdict::hit && q.D <= 4 * e.D)) return std::nullopt;
   if (at_once(verdicts[0])) return Moment{true, 0, 0};
   if (verdicts[0] == Verdict::turning)
-    return Moment{true, -q.h / q.a, 11 * u * q.distance / sqrt(q.a) * kSlack};
-  const Wide root = sqrt(q.D);
+    return Moment{true, -q.h / q.a, 11 * u * q.distance / square_root(q.a) * kSlack};
+  const Wide root = square_root(q.D);
   const Wide t = (query.kind == exact::Kind::block ? Wide(-q.h - root) : Wide(-q.h + root)) / q.a;
   return Moment{true, t, e.q / root};  // 2 √D δt = δq, and as much again for the curvature
 }

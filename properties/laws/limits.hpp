@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "properties/laws/compare.hpp"
+#include "reference/equations/square_root.hpp"
 #include "verify/exact/verdict.hpp"
 
 namespace tps::properties {
@@ -71,7 +72,7 @@ inline std::optional<exact::Verdict> certain_verdict(const LimitQuery& query, co
     if (error == 0 && x == 0) return Sign::zero;
     return x > error ? Sign::positive : x < -error ? Sign::negative : Sign::uncertain;
   };
-  const Wide speed = sqrt(q.a);
+  const Wide speed = square_root(q.a);
   const Wide crossed = norm(cross(q.r, q.v));
   const Wide reach = q.distance + q.L;
   const Wide rounding = is_exact(query, u) ? Wide(0) : Wide(u * kSlack);
@@ -86,7 +87,7 @@ inline Outcome arrives(const LimitQuery& query, const Time& at, const Wide& u) {
   const Coefficients q(query);
   if (at.verdict == "turning" && at.t) {
     return at_most("r·v at the turning point", abs(Wide(q.h + q.a * *at.t)),
-                   11 * u * q.distance * sqrt(q.a) * kSlack);
+                   11 * u * q.distance * square_root(q.a) * kSlack);
   }
   if (at.verdict != "hit" || !at.t) return {};
   return at_most("the distance to the limit at the time of the hit", abs(Wide(norm(q.r + *at.t * q.v) - q.L)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/engine/world.hpp"
+#include "reference/equations/square_root.hpp"
 
 namespace tps {
 
@@ -42,14 +43,14 @@ struct BoundOfSums {
 template <typename Scalar, int D>
 BoundOfSums<Scalar> bound_of_sums(const World<Scalar, D>& world, const Scalar& kinetic) {
   using std::abs;
-  using std::sqrt;
   const Ledger<Scalar, D>& ledger = world.ledger;
   Scalar mass(0);
   for (int i = 0; i < world.size(); ++i) {
     if (!world.fixed(i)) mass += world.mass(i);
   }
   const Scalar V = norm<Scalar, D>(world.frame_velocity());
-  const Scalar moving = sqrt(Scalar(2) * mass) * Scalar(sqrt(kinetic) + sqrt(ledger.kinetic_at_start));
+  const Scalar moving =
+      square_root(Scalar(2) * mass) * Scalar(square_root(kinetic) + square_root(ledger.kinetic_at_start));
   Scalar given(0);
   for (int k = 0; k < D; ++k) {
     const auto n = static_cast<std::size_t>(k);

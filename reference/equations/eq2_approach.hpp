@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "reference/equations/square_root.hpp"
 #include "reference/equations/vector.hpp"
 
 namespace tps {
@@ -53,8 +54,7 @@ Scalar cross_norm(const Vector<Scalar, 3>& r, const Vector<Scalar, 3>& v) {
 template <typename Scalar, int D>
 Scalar discriminant_from_afar(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v, const Scalar& a,
                               const Scalar& L) {
-  using std::sqrt;
-  const Scalar reach = sqrt(a) * L;
+  const Scalar reach = square_root(a) * L;
   const Scalar moment = cross_norm<Scalar>(r, v);
   const Scalar product = (reach - moment) * (reach + moment);
   if (product != Scalar(0) || reach == moment) return product;
@@ -77,13 +77,12 @@ Scalar discriminant_from_afar(const Vector<Scalar, D>& r, const Vector<Scalar, D
 template <typename Scalar, int D>
 Approach<Scalar> approach(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v,
                           const std::type_identity_t<Scalar>& L) {
-  using std::sqrt;
   const Scalar a = v.squaredNorm();
   const Scalar h = r.dot(v);
   const Scalar r_squared = r.squaredNorm();
   const Scalar L_squared = L * L;
   const bool near_limit = r_squared < Scalar(4) * L_squared;
-  const Scalar distance = near_limit ? Scalar(sqrt(r_squared)) : Scalar(0);
+  const Scalar distance = near_limit ? Scalar(square_root(r_squared)) : Scalar(0);
   const Scalar c = near_limit ? Scalar((distance - L) * (distance + L)) : Scalar(r_squared - L_squared);
   const Scalar h_squared = h * h;
   const Scalar a_L_squared = a * L_squared;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "reference/equations/eq2_approach.hpp"
+#include "reference/equations/square_root.hpp"
 #include "reference/equations/timing_verdict.hpp"
 #include "reference/equations/vector.hpp"
 
@@ -19,7 +20,6 @@ namespace tps {
 template <typename Scalar, int D>
 CollisionTime<Scalar> block_time_of_moving(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v,
                                            const Scalar& L) {
-  using std::sqrt;
   const Approach<Scalar> q = approach<Scalar, D>(r, v, L);
   const Scalar zero(0);
   if (q.h >= zero) return {TimingVerdict::receding, std::nullopt};
@@ -27,7 +27,7 @@ CollisionTime<Scalar> block_time_of_moving(const Vector<Scalar, D>& r, const Vec
   if (q.c == zero) return {TimingVerdict::contact, zero};
   if (q.D < zero) return {TimingVerdict::miss, std::nullopt};
   if (q.D == zero) return {TimingVerdict::tangent, std::nullopt};
-  return {TimingVerdict::hit, q.c / (-q.h + sqrt(q.D))};
+  return {TimingVerdict::hit, q.c / (-q.h + square_root(q.D))};
 }
 
 /// When a tethered pair at relative position r with relative velocity v next is at distance L *and
@@ -36,17 +36,16 @@ CollisionTime<Scalar> block_time_of_moving(const Vector<Scalar, D>& r, const Vec
 template <typename Scalar, int D>
 CollisionTime<Scalar> tether_time_of_moving(const Vector<Scalar, D>& r, const Vector<Scalar, D>& v,
                                             const Scalar& L) {
-  using std::sqrt;
   const Approach<Scalar> q = approach<Scalar, D>(r, v, L);
   const Scalar zero(0);
   if (q.c < zero) {
-    const Scalar root = sqrt(q.D);  // D = h² + a |c| > 0
+    const Scalar root = square_root(q.D);  // D = h² + a |c| > 0
     if (q.h <= zero) return {TimingVerdict::hit, (-q.h + root) / q.a};
     return {TimingVerdict::hit, -q.c / (q.h + root)};
   }
   if (q.h >= zero) return {q.c == zero ? TimingVerdict::taut : TimingVerdict::overstretched, zero};
   if (q.c == zero) return {TimingVerdict::hit, Scalar(-2) * q.h / q.a};
-  if (q.D > zero) return {TimingVerdict::hit, (-q.h + sqrt(q.D)) / q.a};
+  if (q.D > zero) return {TimingVerdict::hit, (-q.h + square_root(q.D)) / q.a};
   return {TimingVerdict::turning, -q.h / q.a};
 }
 

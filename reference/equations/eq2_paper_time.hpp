@@ -8,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "reference/equations/square_root.hpp"
 #include "reference/equations/timing_verdict.hpp"
 #include "reference/equations/vector.hpp"
 
@@ -33,7 +34,6 @@ PaperRoots<Scalar> paper_roots(const Vector<Scalar, D>& u_A, const Vector<Scalar
                                const Vector<Scalar, D>& v_A, const Vector<Scalar, D>& v_B,
                                const std::type_identity_t<Scalar>& L) {
   using std::abs;
-  using std::sqrt;
   const Vector<Scalar, D> r = u_B - u_A;
   const Vector<Scalar, D> v = v_B - v_A;
   const Scalar a = v.squaredNorm();
@@ -42,8 +42,8 @@ PaperRoots<Scalar> paper_roots(const Vector<Scalar, D>& u_A, const Vector<Scalar
   const Scalar discriminant = b * b - Scalar(4) * a * c;
   PaperRoots<Scalar> roots{a, b, c, discriminant, std::nullopt, std::nullopt};
   if (a > Scalar(0) && discriminant >= Scalar(0)) {
-    const Scalar minus = (-b - sqrt(discriminant)) / (Scalar(2) * a);
-    const Scalar plus = (-b + sqrt(discriminant)) / (Scalar(2) * a);
+    const Scalar minus = (-b - square_root(discriminant)) / (Scalar(2) * a);
+    const Scalar plus = (-b + square_root(discriminant)) / (Scalar(2) * a);
     if (abs(minus) <= (std::numeric_limits<Scalar>::max)()) roots.minus = minus;
     if (abs(plus) <= (std::numeric_limits<Scalar>::max)()) roots.plus = plus;
   }

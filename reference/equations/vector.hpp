@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/equations/square_root.hpp"
+
 namespace tps {
 
 /// A position, velocity or impulse in D dimensions.
@@ -68,20 +70,18 @@ Vector<Scalar, D> shifted(Vector<Scalar, D> x, int shift) {
 template <typename Scalar, int D>
 Scalar norm(const Vector<Scalar, D>& x) {
   using std::ldexp;
-  using std::sqrt;
   const int shift = comfortable_shift<Scalar, D>(x);
-  if (shift == 0) return sqrt(x.squaredNorm());
-  return ldexp(Scalar(sqrt(shifted<Scalar, D>(x, shift).squaredNorm())), -shift);
+  if (shift == 0) return square_root(x.squaredNorm());
+  return ldexp(Scalar(square_root(shifted<Scalar, D>(x, shift).squaredNorm())), -shift);
 }
 
 /// x / |x|. REQUIRES x ≠ 0.
 template <typename Scalar, int D>
 Vector<Scalar, D> unit_vector(const Vector<Scalar, D>& x) {
-  using std::sqrt;
   const int shift = comfortable_shift<Scalar, D>(x);
-  if (shift == 0) return x / Scalar(sqrt(x.squaredNorm()));
+  if (shift == 0) return x / Scalar(square_root(x.squaredNorm()));
   const Vector<Scalar, D> y = shifted<Scalar, D>(x, shift);
-  return y / Scalar(sqrt(y.squaredNorm()));
+  return y / Scalar(square_root(y.squaredNorm()));
 }
 
 }  // namespace tps

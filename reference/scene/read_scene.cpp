@@ -1,51 +1,17 @@
 #include "reference/scene/read_scene.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <variant>
-
 #include "reference/scene/check_scene.hpp"
 #include "reference/scene/scene_key.hpp"
 #include "reference/scene/scene_sections.hpp"
 #include "reference/scene/scene_source.hpp"
 #include "reference/text/file_kind.hpp"
 #include "reference/text/schema_validator.hpp"
-#include "reference/text/schema_words.hpp"
 #include "reference/text/text_file.hpp"
 
 namespace tps {
 namespace {
 
 constexpr const char* too_large_remedy = "a scene of this size has too many particles for one run: use fewer";
-
-// What data/schemas/ has, and the keys that effects bring along.
-JsonDocument whole_scene_schema() {
-  JsonDocument schema = parse_json(embedded_schema_text("scene"), "scene.schema.json");
-  JsonValue::Object& root = std::get<JsonValue::Object>(schema.root.data);
-  const auto properties = std::find_if(root.begin(), root.end(),
-                                       [](const JsonMember& member) { return member.key == "properties"; });
-  JsonValue::Object& keys = std::get<JsonValue::Object>(properties->value.data);
-  for (const SceneKey& key : scene_keys()) {
-    const std::string name(key.key);
-    JsonValue own = parse_json(key.schema, "the schema of \"" + name + "\"").root;
-    const JsonValue* known = properties->value.find(name);
-    if (known == nullptr) {
-      keys.push_back({name, 0, std::move(own)});
-    } else if (!same_json(own, *known)) {
-      throw std::logic_error(
-          "the key \"" + name +
-          "\" of an effect has another schema than in scene.schema.json, or in another effect");
-    }
-  }
-  return schema;
-}
-
-const Schema& scene_schema() {
-  static const Schema schema(whole_scene_schema(), "scene.schema.json");
-  return schema;
-}
 
 // Adds to the problems that are known already, so that all of a file's come at once.
 Scene read_value(const JsonValue& value, const std::string& prefix, InputProblems& problems) {

@@ -8,6 +8,7 @@
 
 #include "reference/scene/scene.hpp"
 #include "reference/scene/scene_source.hpp"
+#include "reference/text/schema_validator.hpp"
 
 namespace tps {
 
@@ -23,6 +24,13 @@ struct SceneKey {
 
 /// Of all effects there are. Told by their catalogue, reference/engine/effect_facts.cpp.
 const std::vector<SceneKey>& scene_keys();
+
+/// data/schemas/scene.schema.json with these keys. Throws std::logic_error where it has one of them already,
+/// with another schema.
+const Schema& scene_schema();
+
+/// Reads what stands under these keys. REQUIRES that all else of the scene is there.
+void read_keys_of_effects(Scene& scene, SceneSource& source);
 
 /// What the scene has under a key, null where it has none. REQUIRES that `Section` is what the key's read()
 /// makes.

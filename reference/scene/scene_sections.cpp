@@ -46,7 +46,7 @@ class Sections {
     read_box();
     read_impulses();
     read_tethers();
-    read_keys_of_effects();
+    read_keys_of_effects(scene_, source_);
     return scene_;
   }
 
@@ -279,14 +279,6 @@ class Sections {
       const std::optional<int> i = particle_index(ids[0], fmt::format("/tethers/{}/0", k));
       const std::optional<int> j = particle_index(ids[1], fmt::format("/tethers/{}/1", k));
       if (i && j) scene_.tethers.push_back({std::min(*i, *j), std::max(*i, *j)});
-    }
-  }
-
-  void read_keys_of_effects() {
-    for (const SceneKey& key : scene_keys()) {
-      const JsonValue* value = root_.find(key.key);
-      if (value == nullptr || !source_.sound({key.key})) continue;
-      scene_.sections.emplace(key.key, SharedSection(key.read(*value, scene_, source_)));
     }
   }
 

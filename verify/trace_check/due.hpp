@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference/engine/timing.hpp"
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/number.hpp"
 
 namespace tps::check {
@@ -88,7 +89,6 @@ Due<W> never_due() {
 /// Blocking: the smaller root while approaching.
 template <typename W>
 Due<W> inner_due(const Quadratic<W>& q) {
-  using std::sqrt;
   const W zero(0);
   const W widest = q.discriminant() + q.a * q.q_error;
   const W narrowest = q.discriminant() - q.a * q.q_error;
@@ -97,11 +97,11 @@ Due<W> inner_due(const Quadratic<W>& q) {
   Due<W> due;
   due.must_be_none = q.h > q.h_error || (!may_be_inside && widest < zero);
   due.can_be_none = q.h >= -q.h_error || (q.c > -q.q_error && narrowest <= zero);
-  due.earliest = may_be_inside ? zero : (q.c - q.q_error) / (closing + sqrt(std::max(zero, widest)));
+  due.earliest = may_be_inside ? zero : (q.c - q.q_error) / (closing + square_root(std::max(zero, widest)));
   const W vertex = closing / q.a;
   due.latest = q.c <= -q.q_error ? zero
                : narrowest > zero && q.h < -q.h_error
-                   ? std::min(vertex, W((q.c + q.q_error) / (W(-q.h) - q.h_error + sqrt(narrowest))))
+                   ? std::min(vertex, W((q.c + q.q_error) / (W(-q.h) - q.h_error + square_root(narrowest))))
                    : vertex;
   return due;
 }
@@ -110,10 +110,9 @@ Due<W> inner_due(const Quadratic<W>& q) {
 /// turns; where it has just been pulled, only by way of the inside.
 template <typename W>
 Due<W> outer_due(const Quadratic<W>& q, bool responded) {
-  using std::sqrt;
   const W zero(0);
-  const W early = sqrt(std::max(zero, W(q.discriminant() - q.a * q.q_error)));
-  const W late = sqrt(std::max(zero, W(q.discriminant() + q.a * q.q_error)));
+  const W early = square_root(std::max(zero, W(q.discriminant() - q.a * q.q_error)));
+  const W late = square_root(std::max(zero, W(q.discriminant() + q.a * q.q_error)));
   const auto larger_root = [&](const W& h, const W& root, const W& c) {
     return h > zero && c < zero ? W(-c / (h + root)) : W((root - h) / q.a);
   };

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "reference/equations/square_root.hpp"
+
 namespace tps::check {
 
 /// What a stored number is judged in: float and double in long double, whose roundings are 2^-11 of a
@@ -55,8 +57,7 @@ T dot(const Vec<T>& a, const Vec<T>& b) {
 }
 template <typename T>
 T length(const Vec<T>& a) {
-  using std::sqrt;
-  return sqrt(dot(a, a));
+  return square_root(dot(a, a));
 }
 template <typename T>
 Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 
 namespace tps::check {
@@ -37,8 +38,7 @@ Work<Number> turn_of_axis(const BodiesNow<Number>& b) {
 /// across its axis, which rounding turns anywhere, but does not make faster.
 template <typename W>
 Vec<W> any_across(const Vec<W>& axis) {
-  using std::sqrt;
-  const W in_plane = sqrt(W(axis[0] * axis[0] + axis[1] * axis[1]));
+  const W in_plane = square_root(W(axis[0] * axis[0] + axis[1] * axis[1]));
   if (!(in_plane > W(0))) return {{W(1), W(0), W(0)}};
   return {{W(-axis[1] / in_plane), W(axis[0] / in_plane), W(0)}};
 }
@@ -83,12 +83,11 @@ Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored
 template <typename Number>
 Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number>& rules,
                               const Work<Number>& u) {
-  using std::sqrt;
   using W = Work<Number>;
   const Vec<W> w = b.across();
   const W across = length(w);
   const W speed = length(b.v);
-  const W cosine = W(1) / sqrt(W(1) + rules.tan_theta * rules.tan_theta);
+  const W cosine = W(1) / square_root(W(1) + rules.tan_theta * rules.tan_theta);
   const W sine = rules.tan_theta * cosine;
   const W after = rules.speed_ratio * speed;
   const W sensitivity = W(1) + rules.exponent_of_ratio / W(4);

@@ -3,6 +3,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "reference/equations/wide_square_root.hpp"
+
 namespace tps::check {
 
 /// 833 bits: hi + lo of mp100, whose numbers have 334, fits exactly.

@@ -1,6 +1,7 @@
 // Rule bounds: over its whole flight no pair comes closer than its inner limit, or goes beyond its outer one.
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/rules/limit_flight.hpp"
 
 namespace tps::check {
@@ -36,7 +37,6 @@ bool judge_bounds(const Context<Number>& c, const LimitFlight<Number>& flight, b
                   const Work<Number>& time_error) {
   using W = Work<Number>;
   using std::abs;
-  using std::sqrt;
   const PairFlight<Number>& pair = flight.pair;
   const LimitAsked<W>& asked = flight.asked;
   const Quadratic<W>& q = flight.q;
@@ -47,8 +47,8 @@ bool judge_bounds(const Context<Number>& c, const LimitFlight<Number>& flight, b
                  asked.L * time_error * length(q.v) / W(3);
   const W excess = excess_of(q, asked.outer, flight.dt);
   if (!(excess > W(6) * unit * c.scale())) return true;
-  const W beyond = asked.outer ? W(sqrt(asked.L * asked.L + excess) - asked.L)
-                               : W(asked.L - sqrt(std::max(W(0), W(asked.L * asked.L - excess))));
+  const W beyond = asked.outer ? W(square_root(asked.L * asked.L + excess) - asked.L)
+                               : W(asked.L - square_root(std::max(W(0), W(asked.L * asked.L - excess))));
   return c.tally.within(Rule::bounds, as_double(W(excess / unit)), 6, [&](Finding& f) {
     say_about(c, flight, f);
     f.equation = "(1)";

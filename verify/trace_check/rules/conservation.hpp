@@ -1,6 +1,7 @@
 // Rule conservation: momentum, energy and angular momentum balance at every event.
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/impulse.hpp"
@@ -63,7 +64,6 @@ void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, co
 template <typename Number>
 void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, const std::string& pair) {
   using std::abs;
-  using std::sqrt;
   using W = Work<Number>;
   const W inverse = x.inverse_i + x.inverse_j;
   const W mu = W(1) / inverse;
@@ -72,7 +72,7 @@ void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, cons
   const W off = mu / W(2) * dot(W(1) * (v_after - x.v_after), v_after + x.v_after);
   const W stored = detail::momentum_rounding(c, true, x) * x.inverse_i +
                    detail::momentum_rounding(c, false, x) * x.inverse_j;
-  const W speed_error = sqrt(W(c.model.scene.dimension)) * (stored + inverse * x.speed_error);
+  const W speed_error = square_root(W(c.model.scene.dimension)) * (stored + inverse * x.speed_error);
   const W bound = mu * (length(x.v_after) * speed_error + speed_error * speed_error / W(2)) + x.energy_error +
                   c.model.precision.smallest;
   const W unit = bound / W(3);
@@ -90,7 +90,6 @@ void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, cons
 template <typename Number>
 void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>>& x,
                             const BodiesNow<Number>& b, const std::string& pair) {
-  using std::sqrt;
   using W = Work<Number>;
   const bool of_i =
       x.inverse_j == W(0) ||
@@ -98,9 +97,10 @@ void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>
   const Vec<W> gained = of_i ? W(W(1) / x.inverse_i) * (x.after_i - x.before_i)
                              : W(W(1) / x.inverse_j) * (x.after_j - x.before_j);
   const W stored = detail::momentum_rounding(c, of_i, x);
-  const W bound = b.distance() * (sqrt(W(c.model.scene.dimension)) * stored + W(4) * c.u() * length(gained) +
-                                  std::min(W(1), detail::turn_of_axis(b)) * length(gained)) +
-                  c.model.precision.smallest;
+  const W bound =
+      b.distance() * (square_root(W(c.model.scene.dimension)) * stored + W(4) * c.u() * length(gained) +
+                      std::min(W(1), detail::turn_of_axis(b)) * length(gained)) +
+      c.model.precision.smallest;
   const Vec<W> torque = cross(b.r, gained);
   c.tally.within(Rule::conservation, as_double(W(W(3) * length(torque) / bound)), 3, [&](Finding& f) {
     f.message = fmt::format("{} gain the angular momentum {}: the impulse is not along the line of the two",

@@ -1,6 +1,7 @@
 // Rule contact: at its event a pair is at its limit and moves the right way, eqs. (1) and (2).
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "reference/version.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
@@ -49,7 +50,6 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
 template <typename Number>
 void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
                        const Quadratic<Work<Number>>& q, const Work<Number>& dt) {
-  using std::sqrt;
   using W = Work<Number>;
   const auto since_start = [&](int i) {
     return !c.model.fixed(i) && c.model.flight(i).since == Instant<Number>{};
@@ -58,7 +58,7 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   const bool outer = event.kind != Kind::rebound;
   const W D = q.discriminant();
   if (!(q.a > W(0)) || D < q.h * q.h / W(4) || dt <= W(0)) return;
-  const W root = sqrt(D);
+  const W root = square_root(D);
   const W t = outer ? (q.h > W(0) ? W(-q.c / (q.h + root)) : W((root - q.h) / q.a)) : W(q.c / (root - q.h));
   if (t <= W(0)) return;
   const W ulp = c.u() * t;

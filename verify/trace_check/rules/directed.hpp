@@ -2,6 +2,7 @@
 // approaches and one that was pulled never parts (docs/engine.md, "Directed rounding").
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/responses.hpp"
 
@@ -24,10 +25,9 @@ DirectedSlack<Work<Number>> directed_slack(const Context<Number>& c, const Bodie
                                            const Work<Number>& largest_after,
                                            const Work<Number>& most_wrong) {
   using W = Work<Number>;
-  using std::sqrt;
   constexpr int kDirected = 2;
   if (c.semantics < kDirected) return {};
-  const W root = sqrt(W(c.model.scene.dimension));
+  const W root = square_root(W(c.model.scene.dimension));
   const W v_n = dot(v_after, b.axis());
   const W wrong = (outer ? v_n : W(-v_n)) + root * stored;
   if (wrong < W(0) || (outer ? v_n : W(-v_n)) > most_wrong) return {};

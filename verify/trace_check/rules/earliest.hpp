@@ -1,6 +1,7 @@
 // Rule earliest: what a pair that is not at its event must not have done meanwhile.
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "reference/version.hpp"
 #include "verify/trace_check/computed_time.hpp"
 #include "verify/trace_check/context.hpp"
@@ -80,14 +81,13 @@ template <typename Number>
 Waiting computed_waiting(const Context<Number>& c, const Quadratic<Work<Number>>& q,
                          const LimitAsked<Work<Number>>& asked, const Work<Number>& dt,
                          const Work<Number>& slack) {
-  using std::sqrt;
   using W = Work<Number>;
   const Due<W> expected = due(q, asked);
   if (!expected.can_be_none)
     return expected.latest + slack * c.scale() < dt ? Waiting::overdue : Waiting::not_due;
   if (asked.outer || q.h >= W(0)) return Waiting::not_due;
   const W D = q.discriminant();
-  const W exactly = q.c <= W(0) ? W(0) : D > W(0) ? W(q.c / (sqrt(D) - q.h)) : W(dt + W(1));
+  const W exactly = q.c <= W(0) ? W(0) : D > W(0) ? W(q.c / (square_root(D) - q.h)) : W(dt + W(1));
   return exactly + slack < dt ? Waiting::undecided : Waiting::not_due;
 }
 

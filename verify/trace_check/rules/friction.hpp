@@ -2,6 +2,7 @@
 // balances of angular momentum and of the whole energy. docs/check.md, "Friction".
 #pragma once
 
+#include "reference/equations/square_root.hpp"
 #include "verify/trace_check/rules/conservation.hpp"
 
 namespace tps::check {
@@ -81,7 +82,6 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
                     const Expected<Work<Number>>& expected, const Rough<Work<Number>>& rough) {
   using W = Work<Number>;
   using std::abs;
-  using std::sqrt;
   const Model<Number>& model = c.model;
   const bool acts = length(expected.response.dp) > W(0);
   if (event.sticks && acts) {
@@ -135,7 +135,7 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
   const W normal = b.mu / W(2) *
                    (W(1) - W(model.rules.of(b.i, b.j).c_rebound) * W(model.rules.of(b.i, b.j).c_rebound)) *
                    b.v_n() * b.v_n();
-  const W speed_error = sqrt(W(model.scene.dimension)) *
+  const W speed_error = square_root(W(model.scene.dimension)) *
                         (stored * (b.inverse_i + b.inverse_j) +
                          (b.inverse_i + b.inverse_j) * W(expected.roundings) * expected.response.error);
   const W energy_bound = b.mu * (length(after) * speed_error + speed_error * speed_error) + error_of_energy +
