@@ -1,4 +1,4 @@
-// The square root of any scalar, rounded once.
+// The square root of any scalar, rounded once. docs/decisions.md, N198.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // The square root of Boost's binary floats. Their own goes bit by bit, which was four fifths of the time of a
 // run in 50 digits; this is Newton's iteration and an exact look at the last bit: the same numbers.
+// docs/decisions.md, N198.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
