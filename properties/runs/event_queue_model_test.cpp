@@ -36,7 +36,7 @@ using OnQueue = rc::state::Command<Waiting, Queue>;
 struct Push : OnQueue {
   int copies = *rc::gen::element(1, 1, 1, 1, 1, 3000);
   double hi = *rc::gen::inRange(0, 4), lo = *rc::gen::inRange(-1, 2) * 0x1p-60;
-  Rank rank = *rc::gen::element(Rank::collision, Rank::restitution, Rank::scheduled_impulse);
+  Rank rank = *rc::gen::element(Rank::collision, Rank::restitution, Rank::wall);
   int first = *rc::gen::inRange(0, kQueued), second = *rc::gen::inRange(0, kQueued),
       detail = *rc::gen::inRange(0, 2);
 
