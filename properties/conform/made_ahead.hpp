@@ -10,6 +10,8 @@
 #include <thread>
 #include <utility>
 
+#include "reference/process/without_signals.hpp"
+
 namespace tps::properties::conform {
 
 /// Held by a second thread while it works: a fork waits for it. A child has only the thread that forked, so
@@ -35,7 +37,7 @@ void for_each_made_ahead(std::size_t count, const std::function<Item(std::size_t
   std::exception_ptr failure;
   bool stopped = false, complete = false;
 
-  std::thread maker([&] {
+  const auto work = [&] {
     try {
       for (std::size_t n = 0; n < count; ++n) {
         Item item = make(n);
@@ -51,7 +53,12 @@ void for_each_made_ahead(std::size_t count, const std::function<Item(std::size_t
     const std::lock_guard lock(mutex);
     complete = true;
     changed.notify_all();
-  });
+  };
+  std::thread maker;
+  {
+    const WithoutSignals mask;
+    maker = std::thread(work);
+  }
   const auto end = [&] {
     {
       const std::lock_guard lock(mutex);

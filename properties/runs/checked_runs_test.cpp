@@ -6,20 +6,11 @@
 #include <cmath>
 
 #include "properties/runs/scenes.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "properties/runs/simulator.hpp"
-#include "verify/trace_check/check.hpp"
+#include "properties/runs/trace_check_instead.hpp"
 
 namespace tps::properties::runs {
 namespace {
-
-std::string first_of(const check::CheckReport& report) {
-  for (const check::Finding& finding : report.findings) {
-    if (finding.outcome == check::Outcome::violated)
-      return "line " + std::to_string(finding.line) + ": " + finding.message;
-  }
-  return "no finding";
-}
 
 /// Whether the scalar tells places of the scene apart that the limits do: coordinates beyond 2^10 leave a
 /// float 2^-14.
@@ -34,9 +25,8 @@ void accept(const std::string& scalar, const std::string& timing) {
   const SmallScene small = *rc::gen::suchThat(
       small_scene(), [&](const SmallScene& drawn) { return is_resolved(drawn.scene, scalar); });
   const auto simulator = reference_simulator(scalar, timing);
-  const ScratchFile trace(simulator->simulate(small.scene, {.max_events = 60, .state_every = 13}));
-  const check::CheckReport report = check::check_trace(trace.path());
-  if (!report.conforming()) RC_FAIL(first_of(report));
+  const std::string trace = simulator->simulate(small.scene, {.max_events = 60, .state_every = 13});
+  if (const auto fault = check_instead().fault_in(trace)) RC_FAIL(*fault);
 }
 
 RC_GTEST_PROP(CheckedRuns, ConformInDouble, ()) {

@@ -9,10 +9,9 @@
 
 #include "properties/runs/laws.hpp"
 #include "properties/runs/outlook_scenes.hpp"
-#include "properties/runs/scratch_file.hpp"
+#include "properties/runs/trace_check_instead.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
-#include "verify/trace_check/check.hpp"
 
 #ifndef TPS_OUTLOOK_DIMENSION
 #define TPS_OUTLOOK_DIMENSION 0
@@ -20,12 +19,6 @@
 
 namespace tps::properties::runs {
 namespace {
-
-std::string first_violation(const check::CheckReport& report) {
-  const auto found = std::ranges::find_if(
-      report.findings, [](const auto& finding) { return finding.outcome == check::Outcome::violated; });
-  return found == report.findings.end() ? "" : "line " + std::to_string(found->line) + ": " + found->message;
-}
 
 /// A law of runs by its number, for scenes that it does not draw itself.
 void obey(int number, const Scene& scene, Simulator& simulator) {
@@ -39,9 +32,8 @@ class OutlookRuns : public ::testing::TestWithParam<Outlook> {
   void ask(const std::string& scalar, const std::string& timing) const {
     const SmallScene small = *outlook_scene(GetParam(), TPS_OUTLOOK_DIMENSION);
     const auto simulator = reference_simulator(scalar, timing);
-    const ScratchFile trace(simulator->simulate(small.scene, {.max_events = 60, .state_every = 13}));
-    const check::CheckReport report = check::check_trace(trace.path());
-    if (!report.conforming()) RC_FAIL(first_violation(report));
+    const std::string trace = simulator->simulate(small.scene, {.max_events = 60, .state_every = 13});
+    if (const auto fault = check_instead().fault_in(trace)) RC_FAIL(*fault);
     obey(23, small.scene, *simulator);
   }
 };

@@ -18,8 +18,8 @@ const char* name_of(Outlook effect);
 std::ostream& operator<<(std::ostream& out, Outlook effect);
 
 /// Small scenes that call for an effect and hold nothing that is undefined beside it. Kicks are as strong as
-/// the scene is fast, and come some times in its duration; in space and between walls every second scene
-/// falls, too. Law: (1) read_scene_text accepts what write_scene writes of each, and returns the same.
+/// the scene is fast, and come some times in its duration; between walls every second scene falls,
+/// too. Law: (1) read_scene_text accepts what write_scene writes of each, and returns the same.
 rc::Gen<SmallScene> outlook_scene(Outlook effect, int dimension = 0);
 
 /// Nothing at times of its own, no threshold, infinite masses at rest: what drag may be added to.

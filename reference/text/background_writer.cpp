@@ -1,7 +1,8 @@
 #include "reference/text/background_writer.hpp"
 
-#include <csignal>
 #include <utility>
+
+#include "reference/process/without_signals.hpp"
 
 namespace tps {
 
@@ -19,12 +20,8 @@ void BackgroundWriter::hand_over(std::string& buffer) {
   wait();
   if (buffer.empty()) return;
   if (!thread_.joinable()) {
-    // Signals are for the threads that wait for them.
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
+    const WithoutSignals mask;
     thread_ = std::thread([this] { work(); });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   {
     const std::lock_guard lock(mutex_);

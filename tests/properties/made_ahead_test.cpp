@@ -1,6 +1,7 @@
 #include "properties/conform/made_ahead.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,6 +49,20 @@ TEST(MadeAhead, WhatEitherThrowsArrivesAfterTheItemsBefore) {
   EXPECT_THROW(for_each_made_ahead<std::string>(
                    9, kName, [](const std::string&) -> bool { throw std::logic_error("no use"); }),
                std::logic_error);
+}
+
+/// Ctrl-C has to interrupt the waiting of the thread that asks.
+TEST(MadeAhead, SignalsPassTheMakerBy) {
+  const auto is_blocked = [](std::size_t) {
+    sigset_t mask;
+    pthread_sigmask(SIG_BLOCK, nullptr, &mask);
+    return sigismember(&mask, SIGINT) == 1 && sigismember(&mask, SIGTERM) == 1;
+  };
+  for_each_made_ahead<bool>(2, is_blocked, [](bool blocked) {
+    EXPECT_TRUE(blocked);
+    return true;
+  });
+  EXPECT_FALSE(is_blocked(0));
 }
 
 /// A child is born between two steps: what the other thread was at is whole, and nobody holds the lock.

@@ -1,11 +1,10 @@
 #include "verify/cli/start_notice.hpp"
 
 #include <fmt/format.h>
-#include <pthread.h>
 
 #include <chrono>
-#include <csignal>
 
+#include "reference/process/without_signals.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cli/line_every.hpp"
 #include "verify/cli/say.hpp"
@@ -22,12 +21,8 @@ constexpr std::chrono::seconds kBetweenNotices(5);
 
 StartNotice::StartNotice(bool quiet) : stopped_(!may_say_progress(quiet)) {
   if (stopped_) return;
-  // Signals go to the thread that works: its system calls are the ones to be interrupted.
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, &before);
+  const WithoutSignals mask;
   thread_ = std::thread([this] { watch(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 StartNotice::~StartNotice() {

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <deque>
 #include <exception>
 #include <memory>
@@ -12,24 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "reference/process/without_signals.hpp"
+
 namespace tps::check {
 namespace {
-
-/// Signals are left to the thread that reads.
-class WithoutSignals {
- public:
-  WithoutSignals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  WithoutSignals(const WithoutSignals&) = delete;
-  WithoutSignals& operator=(const WithoutSignals&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 /// A segment on its way. It is judged ahead of its turn from its own first state; in its turn that is
 /// accepted or, where the segment before does not end there after all, it is judged as what follows.
