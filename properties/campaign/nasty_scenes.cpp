@@ -81,7 +81,8 @@ Scene whole_numbers(Draw& draw) {
     const Coordinates at = whole(4);
     if (!is_free(scene, at, inner)) continue;
     const bool wall = walls && draw.once_in(4);
-    place(scene, wall ? kinds : draw.whole(0, kinds - 1), at, wall ? wind : whole(2));
+    const Coordinates velocity = wall ? wind : whole(2);
+    place(scene, wall ? kinds : draw.whole(0, kinds - 1), at, velocity);
   }
   return scene;
 }

@@ -15,8 +15,10 @@ void a_clock(Case& c, const Format& format) {
   c.dimension = 2;
   c.hazard = one_of<std::string>({"general", "small", "middle", "near_the_end", "beyond", "start"});
   const double gamma = magnitude(format);
-  double z = std::ldexp(1 + coefficient(format), -whole(1, 8));
-  if (c.hazard == "small") z = std::ldexp(1 + coefficient(format), -whole(8, format.bits + 8));
+  // Arguments are drawn before the call: their order is the compiler's, and cases are the same with any.
+  const auto below = [&](int power) { return std::ldexp(1 + coefficient(format), -power); };
+  double z = below(whole(1, 8));
+  if (c.hazard == "small") z = below(whole(8, format.bits + 8));
   if (c.hazard == "near_the_end") z = 1 - std::ldexp(1.0, -whole(2, format.bits));
   if (c.hazard == "beyond") z = 1 + coefficient(format);
   c.set("gamma", gamma);

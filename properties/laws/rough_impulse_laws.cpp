@@ -24,7 +24,8 @@ void rubbing_pair(Case& c, const Format& format) {
   }
   c.set("c", coefficient(format));
   c.set("mu", one_of({0., .25, 1., 1024.}));
-  c.set("beta0", (coin() ? 1 : -1) * coefficient(format));
+  const double sign = coin() ? 1 : -1;
+  c.set("beta0", sign * coefficient(format));
 }
 
 RoughQuestion question(const Case& c) {

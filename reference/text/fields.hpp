@@ -17,6 +17,9 @@ class Field {
  public:
   /// The document itself; `value` and `file` must outlive this and all that is reached from it.
   Field(const JsonValue& value, const std::string& file) : value_(&value), file_(&file) {}
+  Field(const JsonValue&, const std::string&&) = delete;
+  Field(const JsonValue&&, const std::string&) = delete;
+  Field(const JsonValue&&, const std::string&&) = delete;
 
   const JsonValue& json() const { return *value_; }
 

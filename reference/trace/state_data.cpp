@@ -253,9 +253,10 @@ std::optional<StateData> own_state(std::string_view text) try {
   if (text.size() > kStateLimits.max_bytes) return std::nullopt;
   std::optional<StateWithoutLists> lists = without_own_lists(text);
   if (!lists) return std::nullopt;
-  const JsonDocument document = parse_json(lists->rest, "state", kStateLimits);
+  const std::string name = "state";
+  const JsonDocument document = parse_json(lists->rest, name, kStateLimits);
   if (!document.problems.empty()) return std::nullopt;
-  const Field line(document.root, "state");
+  const Field line(document.root, name);
   StateData state = state_from(line);
   std::string content = content_of(state, state.t);
   if (line.has("checksum")) {

@@ -109,7 +109,8 @@ class EventReading : protected LineValues<Number> {
     std::int64_t whole = 0;
     std::string_view word;
     dom::array list;
-    OwnValue<Number>& own = event.own.emplace_back(std::string(key));
+    event.own.push_back({std::string(key), {}});
+    OwnValue<Number>& own = event.own.back();
     if (value.get(whole) == simdjson::SUCCESS) {
       own.value = whole;
     } else if (value.get(word) == simdjson::SUCCESS) {

@@ -253,12 +253,13 @@ class StateJudge {
   void judge_progress_of_effects() {
     const auto& stated = line_.data.progress;
     std::vector<std::string> wrong, missing;
-    for (const auto& [name, done] : stated) {
+    for (const auto& of_effect : stated) {
+      const std::string& name = of_effect.first;
       const auto effect = std::find_if(model_.effects.begin(), model_.effects.end(),
                                        [&](const auto& e) { return e->effect() == name; });
       const bool there = effect != model_.effects.end();
       expect(there, fmt::format("\"{}\" is no effect with events known in advance", name.substr(0, 60)));
-      if (there && (*effect)->progress() != done) wrong.push_back(name);
+      if (there && (*effect)->progress() != of_effect.second) wrong.push_back(name);
     }
     for (const auto& effect : model_.effects) {
       const std::string name(effect->effect());
