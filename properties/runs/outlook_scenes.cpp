@@ -171,10 +171,13 @@ SmallScene with_friction(SmallScene small) {
     ++n;
     law.friction = FrictionLaw{.25 * (1 + n % 4), -1 + .5 * (n % 5)};
   }
-  for (Particle& p : scene.particles) {
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& p = scene.particles[i];
     if (!keeps_spin(scene, p.species)) continue;
+    Coordinates spin{};
     for (std::size_t k = 0; k < (scene.dimension == 2 ? 1U : 3U); ++k)
-      p.spin[k] = (p.id + static_cast<int>(k)) % 3 - 1 + p.velocity[k];
+      spin[k] = (p.id + static_cast<int>(k)) % 3 - 1 + p.velocity[k];
+    set_spin(scene, i, spin);
   }
   return small;
 }

@@ -132,6 +132,7 @@ Scene renamed(const Scene& scene) {
   Scene s = scene;
   const int last = static_cast<int>(s.particles.size()) - 1;
   std::ranges::reverse(s.particles);
+  std::ranges::reverse(s.spins);
   for (int n = 0; n <= last; ++n) {
     s.particles[static_cast<std::size_t>(n)].id = scene.particles[static_cast<std::size_t>(n)].id;
   }

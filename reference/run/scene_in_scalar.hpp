@@ -176,16 +176,16 @@ class SceneInScalar {
   }
 
   void judge_particle(const Particle& particle) {
-    const std::string at =
-        "/particles/" + std::to_string(static_cast<std::size_t>(&particle - scene_.particles.data()));
+    const auto n = static_cast<std::size_t>(&particle - scene_.particles.data());
+    const std::string at = "/particles/" + std::to_string(n);
     for (std::size_t k = 0; k < D; ++k) {
       if (is_finite(Scalar(particle.position[k]))) continue;
       add(at + "/position/" + std::to_string(k),
           "is " + told(particle.position[k]) + ", which is infinite" + remedy());
     }
     judge_vector(at + "/velocity", particle.velocity, "the velocity");
-    for (std::size_t k = 0; k < particle.spin.size(); ++k)
-      judge(at + "/spin/" + std::to_string(k), particle.spin[k]);
+    const Coordinates spin = spin_of(scene_, n);
+    for (std::size_t k = 0; k < spin.size(); ++k) judge(at + "/spin/" + std::to_string(k), spin[k]);
   }
 
   /// Two particles with a law that fall together, or whose separation is mostly rounding: it moves by more

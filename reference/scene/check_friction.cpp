@@ -60,7 +60,7 @@ void check_friction(const Scene& scene, SceneSource& source) {
   }
   for (std::size_t k = 0; k < source.particle_entries.size(); ++k) {
     const Particle& particle = scene.particles[k];
-    if (particle.spin == Coordinates{} || keeps_spin(scene, particle.species)) continue;
+    if (spin_of(scene, k) == Coordinates{} || keeps_spin(scene, particle.species)) continue;
     source.report(fmt::format("/particles/{}/spin", source.particle_entries[k]),
                   fmt::format("particle {} keeps no spin: {} {}; remove \"spin\"", particle.id,
                               in_quotes(of(scene, particle.species).name),

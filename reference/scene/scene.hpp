@@ -164,7 +164,6 @@ struct Particle {
   int species = 0;
   Coordinates position{};
   Coordinates velocity{};
-  Coordinates spin = {};  ///< angular velocity; in the plane its first number
   bool operator==(const Particle&) const = default;
 };
 
@@ -219,12 +218,27 @@ struct Scene {
   std::vector<Phase> phases;
   std::vector<ScheduledImpulse> impulses;
   std::vector<Particle> particles;
+  std::vector<Coordinates> spins;  ///< angular velocities at the start in the order of particles, read and
+                                   ///< set below; empty without
   std::vector<Tether>
       tethers;  ///< formed at the start; permanent ones are implied by their law, never listed
   std::optional<ClusterObservation> clusters;
   std::map<std::string, SharedSection, std::less<>> sections;  ///< by key, of effects with one of their own
   bool operator==(const Scene&) const = default;
 };
+
+/// Angular velocity at the start of the particle at an index; in the plane its first number.
+inline Coordinates spin_of(const Scene& scene, std::size_t particle) {
+  return particle < scene.spins.size() ? scene.spins[particle] : Coordinates{};
+}
+/// Sets it. ENSURES a scene whose particles do not turn has no list of spins.
+inline void set_spin(Scene& scene, std::size_t particle, const Coordinates& spin) {
+  if (particle >= scene.spins.size()) {
+    if (spin == Coordinates{}) return;
+    scene.spins.resize(scene.particles.size());
+  }
+  scene.spins[particle] = spin;
+}
 
 /// Whether particles of a species have a spin: those of finite mass that some pair's friction can turn.
 inline bool keeps_spin(const Scene& scene, int species) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "reference/scene/read_pair_law.hpp"
+#include "reference/scene/read_spins.hpp"
 #include "reference/scene/read_wall.hpp"
 #include "reference/scene/scene_key.hpp"
 #include "reference/scene/scene_values.hpp"
@@ -41,6 +42,7 @@ class Sections {
     if (!named || !measured) return scene_;
     read_particles();
     if (root_.find("particles") == nullptr || !source_.sound({"particles"})) return scene_;
+    read_spins(scene_, source_);
     read_gravity();
     read_walls();
     read_box();
@@ -169,17 +171,6 @@ class Sections {
     return vector;
   }
 
-  Coordinates read_spin(const JsonValue& value, const std::string& pointer) {
-    const JsonValue::Array& list = *value.array();
-    const std::size_t size = scene_.dimension == 2 ? 1 : 3;
-    Coordinates spin{};
-    if (list.size() != size)
-      source_.report(pointer, fmt::format("found {} numbers; allowed: {} in {} dimensions", list.size(), size,
-                                          scene_.dimension));
-    for (std::size_t k = 0; k < std::min(size, list.size()); ++k) spin[k] = json_number(list[k]).value();
-    return spin;
-  }
-
   void read_particles() {
     const JsonValue::Array& list = entries(root_, "particles");
     std::vector<Particle> unsorted;
@@ -202,7 +193,6 @@ class Sections {
       particle.position = read_vector(*list[k].find("position"), pointer + "/position");
       const JsonValue* velocity = list[k].find("velocity");
       if (velocity != nullptr) particle.velocity = read_vector(*velocity, pointer + "/velocity");
-      if (const JsonValue* spin = list[k].find("spin")) particle.spin = read_spin(*spin, pointer + "/spin");
       unsorted.push_back(particle);
     }
     source_.particle_entries.resize(unsorted.size());

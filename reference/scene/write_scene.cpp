@@ -217,7 +217,9 @@ class Writer {
                     {"species", text(name(particle.species))},
                     {"position", vector(particle.position)},
                     {"velocity", vector(particle.velocity)}};
-    if (particle.spin != Coordinates{}) members.emplace_back("spin", spin(particle.spin));
+    const Coordinates turning =
+        spin_of(scene_, static_cast<std::size_t>(&particle - scene_.particles.data()));
+    if (turning != Coordinates{}) members.emplace_back("spin", spin(turning));
     return object(members);
   }
   std::string spin(const Coordinates& spin) const {

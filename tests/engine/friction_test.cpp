@@ -41,7 +41,7 @@ Scene busy(int dimension) {
   add_particle(scene, post, {.1, 0, 0});
   for (int n = 0; n < 4; ++n) {
     const int i = add_particle(scene, 0, {-2 + 1.4 * n, 1.5, 0}, {1. - .4 * n, -.6 + .1 * n, 0});
-    scene.particles[static_cast<std::size_t>(i)].spin = {.5 * n, 0, 0};
+    set_spin(scene, static_cast<std::size_t>(i), {.5 * n, 0, 0});
   }
   add_particle(scene, big, {-1.2, -1.5, 0}, {.3, .4, 0});
   add_particle(scene, big, {1.2, -1.5, 0}, {-.2, .5, 0});
@@ -56,8 +56,8 @@ TEST(Friction, ADiscAgainstAPost) {
     const int post = testing::add_species(scene, "post", std::numeric_limits<double>::infinity(), .5);
     rub(scene, 0, post, 1, mu, 1);
     add_particle(scene, 0, {-3, 0, 0}, {1, 0, 0});
-    scene.particles[0].spin = {5, 0, 0};
     add_particle(scene, post, {});
+    set_spin(scene, 0, {5, 0, 0});
     scene.duration = 3;
     const testing::TracedRun run = testing::traced(scene);
     ASSERT_EQ(run.events.size(), 1U);
@@ -106,7 +106,7 @@ TEST(Friction, RoughSpheresShareTheirEnergyWithTheirSpins) {
   params.mu = 1e9;
   params.seed = 5;
   Scene scene = build_rough(params);
-  for (Particle& p : scene.particles) p.spin = {};
+  scene.spins.clear();
   Simulation<double, 3> run(scene);
   const auto& turning = dynamic_cast<const SpinCoupling<double, 3>&>(*run.world().coupling);
   const double energy = kinetic_energy(run.world());
@@ -153,7 +153,7 @@ TEST(Friction, GranularGasCoolsByHaffsLaw) {
 TEST(Friction, ASceneWithoutItHasNothingOfIt) {
   Scene scene = busy(3);
   for (PairLaw& law : scene.pairs) law.friction.reset();
-  for (Particle& p : scene.particles) p.spin = {};
+  scene.spins.clear();
   const testing::TracedRun run = testing::traced(scene);
   EXPECT_EQ(run.bytes.find("spin"), std::string::npos);
   EXPECT_EQ(run.bytes.find("contact"), std::string::npos);

@@ -37,7 +37,7 @@ Scene busy(unsigned seed) {
   add_particle(scene, post, {.1, 0, 0});
   for (int n = 0; n < 4; ++n) {
     const int i = add_particle(scene, 0, {-2 + 1.4 * n, 1.5, 0}, {1. - .4 * n, -.6 + .01 * seed, 0});
-    scene.particles[static_cast<std::size_t>(i)].spin = {.5 * n, seed % 2 == 0 ? 0. : .3, 0};
+    set_spin(scene, static_cast<std::size_t>(i), {.5 * n, seed % 2 == 0 ? 0. : .3, 0});
   }
   add_particle(scene, big, {-1.2, -1.5, 0}, {.3, .4, 0});
   add_particle(scene, big, {1.2, -1.5, 0}, {-.2, .5, 0});

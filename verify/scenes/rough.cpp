@@ -10,8 +10,9 @@ Scene build_rough(const RoughParams& params) {
   for (PairLaw& law : scene.pairs) {
     if (law.blocking) law.friction = FrictionLaw{params.mu, params.beta0};
   }
-  for (Particle& p : scene.particles) {
-    if (p.species == 1 && p.id % 2 == 0) p.spin = {0, 0, p.id % 4 == 0 ? 1. : -1.};
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& p = scene.particles[i];
+    if (p.species == 1 && p.id % 2 == 0) set_spin(scene, i, {0, 0, p.id % 4 == 0 ? 1. : -1.});
   }
   return scene;
 }

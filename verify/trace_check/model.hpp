@@ -206,8 +206,10 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   }
   const auto has_friction = [](const PairLaw& law) { return law.friction.has_value(); };
   if (std::any_of(scene.pairs.begin(), scene.pairs.end(), has_friction)) {
-    for (const Particle& p : scene.particles)
-      spins.push_back(lifted(scene.dimension == 2 ? Coordinates{0, 0, p.spin[0]} : p.spin));
+    for (std::size_t n = 0; n < scene.particles.size(); ++n) {
+      const Coordinates spin = spin_of(scene, n);
+      spins.push_back(lifted(scene.dimension == 2 ? Coordinates{0, 0, spin[0]} : spin));
+    }
   }
   for (const Tether& tether : scene.tethers) {
     tethers[at(tether.i)].insert(tether.j);
