@@ -141,10 +141,13 @@ tpsLive.experiments.grouping = class extends tpsLive.Experiment {
     const bodies = {}, nodes = [];
     this.trace.scene.particles.forEach((p, n) => { bodies[p.id ?? n] = { name: 'XYZ'[n] ?? String(n), velocity: p.velocity.map(Number) }; });
     const groups = new Map(Object.keys(bodies).map((id) => [id, [id]]));
+    const mass = Object.fromEntries(this.trace.scene.particles.map((p, n) => [p.id ?? n, Number(this.trace.scene.species[p.species].mass)]));
+    const massOf = (members) => tpsLive.short(members.reduce((sum, id) => sum + mass[id], 0));
     for (const e of this.trace.events.slice(0, this.step)) {
       if (e.members) {
         const members = e.members.map(String);
-        nodes.push({ i: String(e.i), j: String(e.j), members, sides: [groups.get(String(e.i)), groups.get(String(e.j))], text: [`v_load = ${tpsLive.short(e.post[e.i].velocity[0])}`, `Δp_AB = ${tpsLive.short(e.dp_stored[0])}`] });
+        const sides = [groups.get(String(e.i)), groups.get(String(e.j))];
+        nodes.push({ i: String(e.i), j: String(e.j), members, sides, text: [`m_A = ${massOf(sides[0])}, m_B = ${massOf(sides[1])}`, `v_load = ${tpsLive.short(e.post[e.i].velocity[0])}`, `Δp_AB = ${tpsLive.short(e.dp_stored[0])}`] });
         for (const id of members) groups.set(id, members);
       } else if (e.kind === 'restitute') {
         const node = nodes.findLast((n) => !n.gone && n.i === String(e.i) && n.j === String(e.j));

@@ -98,6 +98,44 @@ test('by keyboard alone: play, pause, step, ends, list', async () => {
   await page.close();
 });
 
+test('a place that is not there is refused in words', async () => {
+  assert.equal(run('view', sceneOf('three-body'), '-q', '-o', file('places.html')).status, 0);
+  const { page, wrong } = await open(browser, file('places.html'));
+  const end = await page.evaluate(() => TPS.page.motion.tEnd);
+  for (const [field, text, range] of [['go_k', 'abc', '0 to 70'], ['go_k', '999999', '0 to 70'], ['go_k', '-1', '0 to 70'], ['go_t', '1e9', `0 to ${end}`], ['go_t', 'x', `0 to ${end}`]]) {
+    await page.evaluate(() => TPS.page.goToEvent(3));
+    await page.fill(`#${field}`, text);
+    await page.keyboard.press('Enter');
+    const says = await page.locator(`#${field}`).evaluate((input) => input.validationMessage);
+    assert.ok(says.startsWith(text) && says.endsWith(range), says);
+    assert.equal(await page.evaluate(() => TPS.page.motion.n), 4);
+  }
+  await page.fill('#go_k', '12');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.locator('#go_k').evaluate((input) => input.validationMessage), '');
+  assert.equal(await page.evaluate(() => TPS.page.motion.n), 12);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test('events that form or break a tether can be picked out', async () => {
+  const trace = traceOf(sceneOf('terminal-action-potential'), '--max-events', '3000');
+  assert.equal(run('view', trace, '-q', '-o', file('tethers.html')).status, 0);
+  const { page, wrong } = await open(browser, file('tethers.html'));
+  const events = fs.readFileSync(trace, 'utf8').split('\n').filter((l) => l.startsWith('{"k"')).map((l) => JSON.parse(l));
+  const counts = { formed: events.filter((e) => e.formed === true).length, broken: events.filter((e) => e.formed === false).length };
+  let shown = 0;
+  for (const [name, count] of Object.entries(counts)) {
+    assert.ok(count > 0, `no tether is ${name}`);
+    await page.getByLabel(`only tether ${name} ${count}`).check();
+    assert.equal(await page.locator('#list_count').textContent(), `${shown += count} of ${events.length}`);
+  }
+  for (const [name, count] of Object.entries(counts)) await page.getByLabel(`only tether ${name} ${count}`).uncheck();
+  assert.equal(await page.locator('#list_count').textContent(), `${events.length} of ${events.length}`);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
 test('a click selects the particle that is seen there', async () => {
   assert.equal(run('view', sceneOf('cradle'), '-q', '-o', file('click.html')).status, 0);
   const { page } = await open(browser, file('click.html'));

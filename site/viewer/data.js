@@ -26,6 +26,10 @@ TPS.read = function () {
   return { what, columns };
 };
 
+/** Bits of the column "event_flags": a tether was formed, or broken. */
+TPS.formed = 2;
+TPS.broken = 4;
+
 /** A double as a hexadecimal float, exactly, as traces spell it. */
 TPS.hex = function (x) {
   if (x === 0) return Object.is(x, -0) ? '-0x0p+0' : '0x0p+0';

@@ -14,7 +14,9 @@ TPS.List = class {
     this.rows = document.getElementById('list_rows');
     this.particle = document.getElementById('filter_particle');
     this.hidden = new Set();
+    this.onlyFlags = 0; // bits of "event_flags" of which an event that is shown has one; 0: any event
     this.kindButtons();
+    this.tetherButtons();
     this.particle.addEventListener('input', () => this.filter());
     this.box.addEventListener('scroll', () => this.draw());
     this.box.addEventListener('keydown', (event) => this.key(event));
@@ -27,17 +29,25 @@ TPS.List = class {
     counts.forEach((count, kind) => {
       if (!count) return;
       const name = this.motion.what.kinds[kind];
-      const label = document.createElement('label'), box = document.createElement('input'), swatch = document.createElement('i');
-      box.type = 'checkbox';
-      box.checked = true;
+      const swatch = document.createElement('i');
       swatch.style.background = TPS.kindColour(name);
-      box.addEventListener('change', () => {
-        if (box.checked) this.hidden.delete(kind); else this.hidden.add(kind);
-        this.filter();
-      });
-      label.append(box, ' ', swatch, ` ${name.replace(/_/g, ' ')} ${count}`);
-      document.getElementById('kinds').append(label);
+      this.button([swatch, ` ${name.replace(/_/g, ' ')} ${count}`], true, (on) => { if (on) this.hidden.delete(kind); else this.hidden.add(kind); });
     });
+  }
+
+  tetherButtons() {
+    for (const [flag, name] of [[TPS.formed, 'formed'], [TPS.broken, 'broken']]) {
+      const count = this.motion.c.event_flags.reduce((sum, flags) => sum + (flags & flag ? 1 : 0), 0);
+      if (count) this.button([`only tether ${name} ${count}`], false, () => { this.onlyFlags ^= flag; });
+    }
+  }
+
+  button(words, checked, changed) {
+    const label = document.createElement('label'), box = document.createElement('input');
+    Object.assign(box, { type: 'checkbox', checked });
+    box.addEventListener('change', () => { changed(box.checked); this.filter(); });
+    label.append(box, ' ', ...words);
+    document.getElementById('kinds').append(label);
   }
 
   filter() {
@@ -47,6 +57,7 @@ TPS.List = class {
     const shown = [];
     for (let e = 0; e < events; e++) {
       if (this.hidden.has(c.event_kind[e])) continue;
+      if (this.onlyFlags && !(c.event_flags[e] & this.onlyFlags)) continue;
       if (only !== null && c.event_i[e] !== only && c.event_j[e] !== only) continue;
       shown.push(e);
     }

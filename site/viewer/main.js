@@ -192,15 +192,21 @@
     timeline.count();
     dirty = true;
   });
+  /** The number in a field; null, and said at the field, where it is none from low to high. */
+  const asked = (field, low, high, what) => {
+    const input = $(field), text = input.value.trim(), number = Number(text);
+    const there = text !== '' && number >= low && number <= high;
+    input.setCustomValidity(there || text === '' ? '' : `${text} is not here: ${what} go from ${low} to ${high}`);
+    input.reportValidity();
+    return there ? number : null;
+  };
   $('go_k').addEventListener('change', () => {
-    const k = Number($('go_k').value);
-    let e = data.columns.event_k.findIndex((x) => x >= k);
-    if (e < 0) e = motion.events - 1;
-    goToEvent(k <= 0 ? -1 : e);
+    const numbers = data.columns.event_k, k = asked('go_k', 0, motion.events ? numbers[motion.events - 1] : 0, 'events');
+    if (k !== null) goToEvent(k === 0 ? -1 : numbers.findIndex((x) => x >= k));
   });
   $('go_t').addEventListener('change', () => {
-    const t = Number($('go_t').value);
-    if (Number.isFinite(t)) pause(), go(motion.eventsUntil(Math.max(0, t)), Math.min(Math.max(0, t), motion.tEnd));
+    const t = asked('go_t', 0, motion.tEnd, 'times');
+    if (t !== null) pause(), go(motion.eventsUntil(t), t);
   });
   $('show_velocities').addEventListener('change', () => (picture && (picture.showVelocities = $('show_velocities').checked), dirty = true));
   $('show_only').addEventListener('change', () => (picture && (picture.showOnly = $('show_only').checked), dirty = true));
@@ -247,9 +253,9 @@
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (picture && picture.themeChanged(), dirty = true));
   resized();
   // #k=12 and #t=0.5 open at a place; a finding comes first.
-  const asked = new URLSearchParams(location.hash.slice(1));
-  if (asked.has('k')) goToEvent(data.columns.event_k.findIndex((k) => k >= Number(asked.get('k'))));
-  else if (asked.has('t')) go(motion.eventsUntil(Number(asked.get('t'))), Number(asked.get('t')));
+  const place = new URLSearchParams(location.hash.slice(1));
+  if (place.has('k')) goToEvent(data.columns.event_k.findIndex((k) => k >= Number(place.get('k'))));
+  else if (place.has('t')) go(motion.eventsUntil(Number(place.get('t'))), Number(place.get('t')));
   else if (findings.length) goToEvent(findings[0].place - 1);
   else go(0, 0);
   TPS.page = { motion, picture, axis, goToEvent, select, findings, marks };

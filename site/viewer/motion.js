@@ -144,6 +144,6 @@ TPS.Motion = class {
     return { number: e, k: c.event_k[e], t: c.event_t[e], dt: c.event_dt[e], line: c.event_line[e],
       kind: this.what.kinds[c.event_kind[e]], i: c.event_i[e], j: c.event_j[e],
       dp: flags & 1 ? Array.from(c.event_dp.subarray(e * D, (e + 1) * D)) : null,
-      formed: !!(flags & 2), broken: !!(flags & 4), load: !!(flags & 8) };
+      formed: !!(flags & TPS.formed), broken: !!(flags & TPS.broken), load: !!(flags & 8) };
   }
 };

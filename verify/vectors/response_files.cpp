@@ -22,7 +22,7 @@ std::vector<double> in_cube(Random& random, int dimension, double half_edge) {
   return x;
 }
 
-Encounter plain_in(Random& random, int dimension) {
+Encounter plain(Random& random, int dimension) {
   return {.u_A = in_cube(random, dimension, 2),
           .u_B = in_cube(random, dimension, 2),
           .v_A = in_cube(random, dimension, 1),
@@ -36,16 +36,9 @@ Encounter plain_in(Random& random, int dimension) {
           .theta_revolve_deg = random.uniform(1, 89)};
 }
 
-Encounter plain(Random& random) {
-  return plain_in(random, 3);
-}
-Encounter planar(Random& random) {
-  return plain_in(random, 2);
-}
-
 /// Ratios up to 1e30, and walls.
-Encounter masses(Random& random) {
-  Encounter e = plain(random);
+Encounter masses(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   for (double* m : {&e.m_A, &e.m_B}) {
     const double significand = random.uniform(1, 2);
     *m = std::ldexp(significand, random.integer(-50, 49));
@@ -57,8 +50,8 @@ Encounter masses(Random& random) {
 }
 
 /// Restitution 0 or 1 and the ends of the range of θ_revolve.
-Encounter coefficients(Random& random) {
-  Encounter e = plain(random);
+Encounter coefficients(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   for (double* c : {&e.c, &e.c_retract, &e.c_revolve}) *c = random.integer(0, 1);
   const double angles[] = {1e-6, 45, 90 - 1e-6};
   e.theta_revolve_deg = angles[random.integer(0, 2)];
@@ -67,8 +60,8 @@ Encounter coefficients(Random& random) {
 
 /// Small integers, masses that are powers of two, coefficients that are multiples of 1/4: many answers are
 /// exact.
-Encounter integers(Random& random) {
-  Encounter e = plain(random);
+Encounter integers(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   for (std::vector<double>* x : {&e.u_A, &e.u_B, &e.v_A, &e.v_B, &e.dp}) {
     for (double& component : *x) component = random.integer(-4, 4);
   }
@@ -79,25 +72,27 @@ Encounter integers(Random& random) {
 }
 
 /// r and v almost perpendicular: v_n is what cancels.
-Encounter perpendicular(Random& random) {
-  Encounter e = plain(random);
+Encounter perpendicular(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   const double r_x = e.u_B[0] - e.u_A[0];
   const double r_y = e.u_B[1] - e.u_A[1];
-  e.v_B = {e.v_A[0] - r_y, e.v_A[1] + r_x, e.v_A[2]};
+  e.v_B = e.v_A;
+  e.v_B[0] -= r_y;
+  e.v_B[1] += r_x;
   return e;
 }
 
 /// The velocities differ by one unit in the last place.
-Encounter near_static(Random& random) {
-  Encounter e = plain(random);
+Encounter near_static(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   e.v_B = e.v_A;
-  double& x = e.v_B[static_cast<std::size_t>(random.integer(0, 2))];
+  double& x = e.v_B[static_cast<std::size_t>(random.integer(0, dimension - 1))];
   x = std::nextafter(x, random.coin() ? 9 : -9);
   return e;
 }
 
-Encounter offset_origin(Random& random) {
-  Encounter e = plain(random);
+Encounter offset_origin(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   const double offset = std::ldexp(1.0, random.integer(10, 45));
   for (std::vector<double>* x : {&e.u_A, &e.u_B}) {
     for (double& component : *x) component += offset;
@@ -105,8 +100,8 @@ Encounter offset_origin(Random& random) {
   return e;
 }
 
-Encounter any_scale(Random& random) {
-  Encounter e = plain(random);
+Encounter any_scale(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   const auto scale = [&](std::initializer_list<std::vector<double>*> vectors, int power) {
     for (std::vector<double>* x : vectors) {
       for (double& component : *x) component = std::ldexp(component, power);
@@ -117,8 +112,8 @@ Encounter any_scale(Random& random) {
   return e;
 }
 
-Encounter float32(Random& random) {
-  Encounter e = plain(random);
+Encounter float32(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
   for (std::vector<double>* x : {&e.u_A, &e.u_B, &e.v_A, &e.v_B, &e.dp}) {
     for (double& component : *x) component = static_cast<float>(component);
   }
@@ -129,8 +124,8 @@ Encounter float32(Random& random) {
 }
 
 /// |c_retract v_n| = tan θ |v_ŵ| exactly: θ = 45°, along an axis, or v_ŵ = 0 with c_retract = 0.
-Encounter boundary(Random& random) {
-  Encounter e = integers(random);
+Encounter boundary(Random& random, int dimension) {
+  Encounter e = integers(random, dimension);
   const double along = random.integer(1, 8);
   const double retract = random.integer(1, 4) / 4.0;
   e.u_B = e.u_A;
@@ -144,8 +139,8 @@ Encounter boundary(Random& random) {
 }
 
 /// The boundary with one number changed in its last bit.
-Encounter near_boundary(Random& random) {
-  Encounter e = boundary(random);
+Encounter near_boundary(Random& random, int dimension) {
+  Encounter e = boundary(random, dimension);
   double& x = random.coin() ? e.v_B[1] : e.v_B[0];
   x = std::nextafter(x, random.coin() ? 99 : -99);
   return e;
@@ -182,15 +177,17 @@ bool has_answer(const eval::Operation& operation, const Encounter& e) {
   return dot * dot != r * v;
 }
 
+constexpr const char* kPlane = "planar";
+
 struct Family {
   const char* name;
   const char* why;
-  Encounter (*encounter)(Random&);
+  Encounter (*encounter)(Random&, int dimension);
 };
 
 constexpr Family response_families[] = {
     {"plain", "particles in a cube of edge 4, speeds of order 1", plain},
-    {"planar", "the same in the plane", planar},
+    {kPlane, "the same in the plane", plain},
     {"masses", "mass ratios up to 1e30, and walls", masses},
     {"coefficients", "restitution 0 and 1, the ends of the range of theta_revolve", coefficients},
     {"integers", "small integers: exact answers and zeros", integers},
@@ -205,13 +202,25 @@ constexpr Family boundary_families[] = {
     {"near_boundary", "one bit beside that boundary", near_boundary},
 };
 
+/// Each stratum goes on in the plane after so many cases in space, then in space again.
+constexpr std::uint64_t kInSpace = 60, kInThePlane = 6;
+
+bool is_planar(const Family& family, std::uint64_t number) {
+  return family.name == std::string_view(kPlane) || number % (kInSpace + kInThePlane) >= kInSpace;
+}
+
 void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, const Family& family,
                 const std::vector<std::string>& accept) {
-  strata.push_back({std::string(operation.name), family.name, family.why, 60, accept,
-                    [&operation, family](Random& random, std::uint64_t) -> Problem {
-                      Encounter encounter = family.encounter(random);
-                      while (!has_answer(operation, encounter)) encounter = family.encounter(random);
-                      return {input_of(operation, encounter), {family.name}};
+  strata.push_back({std::string(operation.name), family.name, family.why,
+                    static_cast<int>(kInSpace + kInThePlane), accept,
+                    [&operation, family](Random& random, std::uint64_t number) -> Problem {
+                      const bool planar = is_planar(family, number);
+                      Encounter encounter;
+                      do encounter = family.encounter(random, planar ? 2 : 3);
+                      while (!has_answer(operation, encounter));
+                      std::vector<std::string> tags{family.name};
+                      if (planar && family.name != std::string_view(kPlane)) tags.emplace_back(kPlane);
+                      return {input_of(operation, encounter), tags};
                     }});
 }
 
