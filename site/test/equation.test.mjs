@@ -1,6 +1,7 @@
 // The figures of the equations say what the program says.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch, open } from './browser.mjs';
@@ -64,6 +65,16 @@ test('by keyboard alone: a handle moves by the arrow keys, a number can be typed
   agrees(await shown(page));
   await page.getByLabel('L', { exact: true }).fill('nonsense');
   assert.match(await page.locator('.tps-says.tps-error').textContent(), /hexadecimal/);
+  await page.close();
+});
+
+test('hard cases are of every stratum that equations 2 to 5 have', async () => {
+  const { page } = await open(browser, path.join(site, 'eq5.html'));
+  const strata = await page.evaluate(() => Object.fromEntries(Object.entries(window.tpsCases).map(([op, cases]) => [op, [...new Set(cases.map((c) => c.id.split('.')[1]))]])));
+  for (const op of ['block_time', 'tether_time', 'collision_impulse', 'tether_response', 'revolution_impulse']) {
+    const files = fs.readdirSync(path.join(root, 'data/vectors')).filter((name) => name.startsWith(`${op}.`)).map((name) => name.split('.')[1]);
+    assert.deepEqual(strata[op].sort(), files.filter((name) => name !== 'twins').sort(), op);
+  }
   await page.close();
 });
 

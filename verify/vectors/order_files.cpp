@@ -29,7 +29,7 @@ TimingQuery from(std::string_view family, Random& random) {
   const auto& table = exact::strata::timing_strata();
   const auto found =
       std::find_if(table.begin(), table.end(), [&](const auto& f) { return f.name == family; });
-  return found->query(random, exact::strata::any_kind(random));
+  return found->query(random, exact::strata::any_kind(random), 3);
 }
 
 Pair independent(Random& random, std::string_view family) {

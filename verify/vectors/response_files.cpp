@@ -202,17 +202,15 @@ constexpr Family boundary_families[] = {
     {"near_boundary", "one bit beside that boundary", near_boundary},
 };
 
-/// Each stratum goes on in the plane after so many cases in space, then in space again.
-constexpr std::uint64_t kInSpace = 60, kInThePlane = 6;
+constexpr int kInSpace = 60;
 
 bool is_planar(const Family& family, std::uint64_t number) {
-  return family.name == std::string_view(kPlane) || number % (kInSpace + kInThePlane) >= kInSpace;
+  return family.name == std::string_view(kPlane) || dimension_of_case(number, kInSpace) == 2;
 }
 
 void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, const Family& family,
                 const std::vector<std::string>& accept) {
-  strata.push_back({std::string(operation.name), family.name, family.why,
-                    static_cast<int>(kInSpace + kInThePlane), accept,
+  strata.push_back({std::string(operation.name), family.name, family.why, kInSpace + kInThePlane, accept,
                     [&operation, family](Random& random, std::uint64_t number) -> Problem {
                       const bool planar = is_planar(family, number);
                       Encounter encounter;

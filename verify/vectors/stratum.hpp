@@ -30,6 +30,15 @@ struct Stratum {
   std::string file_name() const { return op + "." + name + ".jsonl"; }
 };
 
+/// Strata in space go on in the plane for so many cases, then in space again.
+constexpr int kInThePlane = 6;
+
+inline int dimension_of_case(std::uint64_t number, int in_space) {
+  return number % static_cast<std::uint64_t>(in_space + kInThePlane) < static_cast<std::uint64_t>(in_space)
+             ? 3
+             : 2;
+}
+
 /// Every stratum, in the order of the files' listing. Append; a change of a case is a new `rev`.
 const std::vector<Stratum>& strata();
 

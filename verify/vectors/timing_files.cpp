@@ -29,7 +29,7 @@ std::pair<TimingQuery, TimingQuery> verdict_twins(Random& random, Kind kind) {
   const std::vector<exact::strata::TimingStratum>& families = exact::strata::timing_strata();
   for (int attempt = 0; attempt < 10000; ++attempt) {
     const auto family = static_cast<std::size_t>(random.integer(0, 5));  // plain, graze, …, tangent
-    TimingQuery query = families[family].query(random, kind);
+    TimingQuery query = families[family].query(random, kind, 3);
     double& x = any_component(random, query);
     const double first = x;
     const double side = random.coin() ? 1 : -1;
@@ -63,10 +63,11 @@ void add_timing_strata(std::vector<Stratum>& strata) {
   for (const Kind kind : {Kind::block, Kind::tether}) {
     const std::string op = kind == Kind::block ? "block_time" : "tether_time";
     for (const exact::strata::TimingStratum& family : exact::strata::timing_strata()) {
+      const int in_space = family.name == "graze" ? 300 : 125;
       strata.push_back(
-          {op, std::string(family.name), std::string(family.why), family.name == "graze" ? 300 : 125, accept,
-           [kind, family](Random& random, std::uint64_t number) -> Problem {
-             const TimingQuery query = family.query(random, kind);
+          {op, std::string(family.name), std::string(family.why), in_space + kInThePlane, accept,
+           [kind, family, in_space](Random& random, std::uint64_t number) -> Problem {
+             const TimingQuery query = family.query(random, kind, dimension_of_case(number, in_space));
              return {timing_input(query, written_dimension(query, number)), tags_of(query, family.name)};
            },
            family.name == "planar" ? 2 : 1});

@@ -7,9 +7,11 @@ namespace tps::exact::strata {
 
 namespace {
 
-Vec3 in_cube(Random& random, double half_edge) {
-  return {random.uniform(-half_edge, half_edge), random.uniform(-half_edge, half_edge),
-          random.uniform(-half_edge, half_edge)};
+/// In the plane its section z = 0.
+Vec3 in_cube(Random& random, double half_edge, int dimension) {
+  Vec3 x{};
+  for (int k = 0; k < dimension; ++k) x[static_cast<std::size_t>(k)] = random.uniform(-half_edge, half_edge);
+  return x;
 }
 
 /// Not hypot: its last bit differs between libraries.
@@ -20,15 +22,15 @@ double distance(const TimingQuery& q) {
 }
 
 /// The rounded distance is the limit: about half of these pairs overlap, a few are exact contacts.
-TimingQuery touching(Random& random, Kind kind) {
-  TimingQuery query = plain(random, kind);
+TimingQuery touching(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
   query.L = distance(query);
   return query;
 }
 
 /// Almost perpendicular at the limit: h and c are both rounding noise.
-TimingQuery taut(Random& random, Kind kind) {
-  TimingQuery query = plain(random, kind);
+TimingQuery taut(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
   query.v_A = {0, 0, 0};
   query.v_B = {-(query.u_B[1] - query.u_A[1]), query.u_B[0] - query.u_A[0], 0};
   query.L = distance(query);
@@ -36,16 +38,16 @@ TimingQuery taut(Random& random, Kind kind) {
 }
 
 /// Small integers: contacts, tangents, exactly perpendicular pairs and rational times abound.
-TimingQuery integers(Random& random, Kind kind) {
+TimingQuery integers(Random& random, Kind kind, int dimension) {
   const auto vector = [&](int size) -> Vec3 {
     return {double(random.integer(-size, size)), double(random.integer(-size, size)),
-            double(random.integer(-1, 1))};
+            dimension == 2 ? 0 : double(random.integer(-1, 1))};
   };
   return {kind, vector(5), vector(5), vector(2), vector(2), double(random.integer(1, 5))};
 }
 
 /// (3, 4) is the direction of flight, (−4, 3) the offset at closest approach: D = 0 exactly.
-TimingQuery tangent(Random& random, Kind kind) {
+TimingQuery tangent(Random& random, Kind kind, int /*dimension*/) {
   const int x0 = random.integer(1, 1 << 20);
   TimingQuery query = graze(kind, 0, 0, x0, random.integer(0, 1));
   const Vec3 offset = {double(random.integer(-1000, 1000)), double(random.integer(-1000, 1000)), 0};
@@ -56,7 +58,7 @@ TimingQuery tangent(Random& random, Kind kind) {
   return query;
 }
 
-TimingQuery any_graze(Random& random, Kind kind) {
+TimingQuery any_graze(Random& random, Kind kind, int /*dimension*/) {
   const double side = random.coin() ? 1 : -1;
   const int k = random.integer(5, 53);
   const double x0 = std::ldexp(1.0, random.integer(0, 20));
@@ -64,43 +66,44 @@ TimingQuery any_graze(Random& random, Kind kind) {
 }
 
 /// Two particles of a scene far from the origin.
-TimingQuery offset_origin(Random& random, Kind kind) {
-  TimingQuery query = plain(random, kind);
+TimingQuery offset_origin(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
   const double offset = std::ldexp(1.0, random.integer(10, 45));
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
     query.u_A[k] += offset;
     query.u_B[k] += offset;
   }
   return query;
 }
 
-TimingQuery far(Random& random, Kind kind) {
-  TimingQuery query = plain(random, kind);
+TimingQuery far(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
   const double away = std::ldexp(1.0, random.integer(5, 40));
   for (std::size_t k = 0; k < 3; ++k) query.u_B[k] = away * query.v_A[k] + query.u_B[k];
   query.v_B = {0, 0, 0};
   return query;
 }
 
-TimingQuery near_static(Random& random, Kind kind) {
-  TimingQuery query = plain(random, kind);
+TimingQuery near_static(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
   query.v_B = query.v_A;
-  const auto k = static_cast<std::size_t>(random.integer(0, 2));
+  const auto k = static_cast<std::size_t>(random.integer(0, dimension - 1));
   query.v_B[k] = std::nextafter(query.v_B[k], random.uniform(-9, 9));
   return query;
 }
 
-TimingQuery any_scale(Random& random, Kind kind) {
-  const TimingQuery query = random.coin() ? plain(random, kind) : any_graze(random, kind);
+TimingQuery any_scale(Random& random, Kind kind, int dimension) {
+  const TimingQuery query =
+      random.coin() ? plain(random, kind, dimension) : any_graze(random, kind, dimension);
   const int length = random.integer(-960, 960);
   return scaled(query, length, random.integer(-960, 960));
 }
 
 /// Every number with an exponent of its own.
-TimingQuery wide(Random& random, Kind kind) {
+TimingQuery wide(Random& random, Kind kind, int dimension) {
   const auto number = [&] { return random.any_double(-1073, 1023); };
   TimingQuery query{kind, {}, {}, {}, {}, std::fabs(number())};
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
     query.u_A[k] = number();
     query.u_B[k] = number();
     query.v_A[k] = number();
@@ -110,14 +113,14 @@ TimingQuery wide(Random& random, Kind kind) {
 }
 
 /// Integers below 2^10 in units of the smallest double.
-TimingQuery subnormal(Random& random, Kind kind) {
-  const TimingQuery query = integers(random, kind);
+TimingQuery subnormal(Random& random, Kind kind, int dimension) {
+  const TimingQuery query = integers(random, kind, dimension);
   return scaled(query, -1074, random.coin() ? -1074 : 0);
 }
 
 /// Every component rounded to single precision.
-TimingQuery float32(Random& random, Kind kind) {
-  TimingQuery query = random.coin() ? plain(random, kind) : any_graze(random, kind);
+TimingQuery float32(Random& random, Kind kind, int dimension) {
+  TimingQuery query = random.coin() ? plain(random, kind, dimension) : any_graze(random, kind, dimension);
   for (Vec3* vector : {&query.u_A, &query.u_B, &query.v_A, &query.v_B}) {
     for (double& x : *vector) x = static_cast<float>(x);
   }
@@ -125,16 +128,21 @@ TimingQuery float32(Random& random, Kind kind) {
   return query;
 }
 
-TimingQuery planar(Random& random, Kind kind) {
-  TimingQuery query = random.coin() ? plain(random, kind) : touching(random, kind);
+TimingQuery planar(Random& random, Kind kind, int /*dimension*/) {
+  TimingQuery query = random.coin() ? plain(random, kind) : touching(random, kind, 3);
   query.u_A[2] = query.u_B[2] = query.v_A[2] = query.v_B[2] = 0;
   return query;
 }
 
 }  // namespace
 
-TimingQuery plain(Random& random, Kind kind) {
-  TimingQuery query{kind, in_cube(random, 2), in_cube(random, 2), in_cube(random, 1), in_cube(random, 1), 1};
+TimingQuery plain(Random& random, Kind kind, int dimension) {
+  TimingQuery query{kind,
+                    in_cube(random, 2, dimension),
+                    in_cube(random, 2, dimension),
+                    in_cube(random, 1, dimension),
+                    in_cube(random, 1, dimension),
+                    1};
   query.L = random.uniform(0.5, 2);
   return query;
 }
@@ -201,7 +209,7 @@ std::vector<Stratum> all(std::uint64_t seed, int count) {
     Stratum stratum{std::string(family.name), {}};
     for (int i = 0; i < count; ++i) {
       const Kind kind = any_kind(random);
-      stratum.queries.push_back(family.query(random, kind));
+      stratum.queries.push_back(family.query(random, kind, 3));
     }
     strata.push_back(stratum);
   }

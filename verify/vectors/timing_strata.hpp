@@ -17,13 +17,13 @@ using vectors::Random;
 struct TimingStratum {
   std::string_view name;
   std::string_view why;
-  TimingQuery (*query)(Random&, Kind);
+  TimingQuery (*query)(Random&, Kind, int dimension);  ///< of 2 dimensions: z = 0
 };
 
 /// Every family. Appending one changes no case of the others.
 const std::vector<TimingStratum>& timing_strata();
 
-TimingQuery plain(Random& random, Kind kind);
+TimingQuery plain(Random& random, Kind kind, int dimension = 3);
 
 /// Passes the limit at a distance L(1 ∓ 2^-k): exact integers times powers of two, from x0 away.
 TimingQuery graze(Kind kind, int k, double side, double x0, int turn);
