@@ -38,8 +38,7 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
     }
     for (const Species& species : scene.species) radii_.push_back(Scalar(species.radius));
     for (std::size_t i = 0; i < spins_.size(); ++i) {
-      for (int k = 0; k < kSize; ++k)
-        spins_[i][k] = Scalar(spin_of(scene, i)[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < kSize; ++k) spins_[i][k] = Scalar(spin_of(scene, i)[static_cast<std::size_t>(k)]);
     }
   }
 

@@ -14,8 +14,8 @@ Coordinates read_spin(const JsonValue::Array& list, int dimension, const std::st
   const std::size_t size = dimension == 2 ? 1 : 3;
   Coordinates spin{};
   if (list.size() != size)
-    source.report(pointer,
-                  fmt::format("found {} numbers; allowed: {} in {} dimensions", list.size(), size, dimension));
+    source.report(
+        pointer, fmt::format("found {} numbers; allowed: {} in {} dimensions", list.size(), size, dimension));
   for (std::size_t k = 0; k < std::min(size, list.size()); ++k) spin[k] = json_number(list[k]).value();
   return spin;
 }
