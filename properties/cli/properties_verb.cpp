@@ -22,6 +22,7 @@
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 #include "verify/cli/write_result.hpp"
 
 namespace tps::cli {
@@ -226,12 +227,8 @@ int run_properties(const PropertiesArguments& a) {
   }
 }
 
-}  // namespace
-
-void add_properties(CLI::App& app, int& exit_code) {
+void add_properties_options(CLI::App* verb, int& exit_code) {
   const auto a = std::make_shared<PropertiesArguments>();
-  CLI::App* verb = app.add_subcommand(
-      "properties", "Looks for cases in which an implementation breaks a law, and shrinks them.");
   verb->add_flag("--list", a->list, "Lists the laws instead");
   CLI::Option* runs = verb->add_flag("--runs", a->runs, "Laws of whole runs instead of single operations");
   verb->add_flag("--hazards", a->hazards, "Lists what the scenes of such runs meet")->needs(runs);
@@ -273,6 +270,14 @@ void add_properties(CLI::App& app, int& exit_code) {
     verb->get_option(option)->excludes(runs);
   verb->footer(kPropertiesFooter);
   verb->callback([=, &exit_code] { exit_code = run_properties(*a); });
+}
+
+}  // namespace
+
+void add_properties(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "properties", "Looks for cases in which an implementation breaks a law, and shrinks them.");
+  make_when_called(verb, [&exit_code](CLI::App* called) { add_properties_options(called, exit_code); });
 }
 
 }  // namespace tps::cli

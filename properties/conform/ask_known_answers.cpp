@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "properties/explore/report.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "properties/implementations/reference.hpp"
+#include "reference/process/thread_time.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
@@ -27,13 +27,6 @@ namespace {
 /// The reference in the narrowest of its scalars that has these bits.
 std::unique_ptr<Implementation> reference_in(const Format& format) {
   return reference(format.bits <= 24 ? "float" : format.bits <= 53 ? "double" : "long-double");
-}
-
-/// Of this thread: another one makes the next questions.
-double processor_seconds() {
-  std::timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 void note_numbers(const Json& value, Environment& environment) {
@@ -108,9 +101,9 @@ class KnownAnswers {
     std::vector<Question> questions;
     for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
     const auto start = std::chrono::steady_clock::now();
-    const double computed = processor_seconds();
+    const double computed = thread_seconds();  // another thread makes the next questions
     const std::vector<Answer> answers = subject_.ask_all(questions);
-    verdict_.environment.cpu_seconds += processor_seconds() - computed;
+    verdict_.environment.cpu_seconds += thread_seconds() - computed;
     verdict_.environment.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,

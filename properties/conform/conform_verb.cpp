@@ -26,6 +26,7 @@
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/protocol/catalogue.hpp"
 #include "verify/vectors/generate.hpp"
@@ -215,11 +216,8 @@ int run_conform(const ConformArguments& a) {
   return exit_code(verdict);
 }
 
-}  // namespace
-
-void add_conform(CLI::App& app, int& exit_code) {
+void add_conform_options(CLI::App* verb, int& exit_code) {
   const auto a = std::make_shared<ConformArguments>();
-  CLI::App* verb = app.add_subcommand("conform", "One verdict on an implementation in any language.");
   verb->add_option("command", a->words, "Behind --: a command that speaks the protocol");
   verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
   verb->add_option("--scalar", a->scalar, "The reference itself, in this scalar")
@@ -268,8 +266,15 @@ void add_conform(CLI::App& app, int& exit_code) {
   verb->add_flag("--hypotheses", a->hypotheses, "Lists the mistakes that wrong answers are compared with");
   verb->add_flag("--quiet", a->quiet, "No progress");
   verb->footer(kConformFooter);
-  add_random_scene(*app.get_subcommand("scene"));
   verb->callback([=, &exit_code] { exit_code = run_conform(*a); });
+}
+
+}  // namespace
+
+void add_conform(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("conform", "One verdict on an implementation in any language.");
+  make_when_called(verb, [&exit_code](CLI::App* called) { add_conform_options(called, exit_code); });
+  make_when_called(app.get_subcommand("scene"), [](CLI::App* scene) { add_random_scene(*scene); });
 }
 
 }  // namespace tps::cli

@@ -17,6 +17,7 @@
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/say.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/cost/questions.hpp"
 #include "verify/cost/wanted.hpp"
@@ -228,11 +229,8 @@ void add_outputs(CLI::App& verb, CostArguments& a) {
   verb.add_flag("--quiet", a.quiet, "No progress");
 }
 
-}  // namespace
-
-void add_cost(CLI::App& app, int& exit_code) {
+void add_cost_options(CLI::App* verb, int& exit_code) {
   const auto a = std::make_shared<CostArguments>();
-  CLI::App* verb = app.add_subcommand("cost", "What accuracy costs in time.");
   verb->add_flag("--quick", a->quick, "Much less of everything: a minute");
   add_levels(*verb, *a);
   add_choices(*verb, *a);
@@ -254,6 +252,13 @@ void add_cost(CLI::App& app, int& exit_code) {
       exit_code = kOtherProgram;
     }
   });
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("cost", "What accuracy costs in time.");
+  make_when_called(verb, [&exit_code](CLI::App* called) { add_cost_options(called, exit_code); });
 }
 
 }  // namespace tps::cli

@@ -169,7 +169,7 @@ TEST(PeriodicBox, DetectorsAgreeToTheByte) {
           options.detector = DetectorKind::all_pairs;
           const testing::TracedRun all = testing::traced(scene, options);
           options.detector = DetectorKind::cells;
-          EXPECT_EQ(testing::traced(scene, options).bytes, all.bytes) << density << ' ' << grouped << scalar;
+          EXPECT_EQ(testing::traced_bytes(scene, options), all.bytes) << density << ' ' << grouped << scalar;
           EXPECT_GE(all.events.size(), 50U);
         }
       }

@@ -17,6 +17,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using testing::options_for;
 using testing::traced;
+using testing::traced_bytes;
 using testing::TracedEvent;
 using testing::TracedRun;
 
@@ -34,8 +35,8 @@ Rational exact(const std::string& hex) {
 TEST(Determinism, TheSameBytesTwice) {
   for (const char* scalar : {"double", "float"}) {
     const Scene scene = build_ring({});
-    const std::string first = traced(scene, scalar).bytes;
-    EXPECT_EQ(first, traced(scene, scalar).bytes);
+    const std::string first = traced_bytes(scene, options_for(scalar));
+    EXPECT_EQ(first, traced_bytes(scene, options_for(scalar)));
     EXPECT_GT(first.size(), 10000U);
   }
 }
@@ -53,9 +54,9 @@ TEST(Determinism, TheOrderOfParticlesInTheFileDoesNotMatter) {
   const std::string b = R"({"id":2,"species":"q","position":[2,0],"velocity":[-1,0]})";
   const std::string c = R"({"id":9,"species":"p","position":[4,0.25],"velocity":[-2,0]})";
   const std::string d = R"({"id":1,"species":"p","position":[-3,0.25],"velocity":[2,0]})";
-  const std::string sorted = traced(scene_with(d + "," + b + "," + a + "," + c), "double").bytes;
-  EXPECT_EQ(sorted, traced(scene_with(a + "," + b + "," + c + "," + d), "double").bytes);
-  EXPECT_EQ(sorted, traced(scene_with(c + "," + a + "," + d + "," + b), "double").bytes);
+  const std::string sorted = traced_bytes(scene_with(d + "," + b + "," + a + "," + c), options_for("double"));
+  EXPECT_EQ(sorted, traced_bytes(scene_with(a + "," + b + "," + c + "," + d), options_for("double")));
+  EXPECT_EQ(sorted, traced_bytes(scene_with(c + "," + a + "," + d + "," + b), options_for("double")));
   EXPECT_GE(testing::events_of(sorted).size(), 3U);
 }
 

@@ -101,6 +101,12 @@ TracedRun traced(const Scene& scene, RunOptions options) {
   return run;
 }
 
+std::string traced_bytes(const Scene& scene, RunOptions options) {
+  options.trace = scratch("trace.ndjson");
+  run_scene(scene, options);
+  return read_bytes(options.trace);
+}
+
 TracedRun traced(const Scene& scene, const std::string& scalar, std::optional<std::uint64_t> max_events) {
   return traced(scene, options_for(scalar, max_events));
 }

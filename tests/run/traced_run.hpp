@@ -43,6 +43,8 @@ void write_bytes(const std::string& path, const std::string& bytes);
 /// Runs a scene with a trace in a scratch file. Options as for run_scene.
 TracedRun traced(const Scene& scene, RunOptions options = {});
 TracedRun traced(const Scene& scene, const std::string& scalar, std::optional<std::uint64_t> max_events = {});
+/// The bytes of its trace alone, which nobody has to read back.
+std::string traced_bytes(const Scene& scene, RunOptions options);
 
 /// The events of a trace.
 std::vector<TracedEvent> events_of(const std::string& bytes);

@@ -50,7 +50,7 @@ CheckReport checked_with(ShiftedTiming::Shift shift) {
   RunOptions options = testing::options_for("double", kEvents);
   options.timing = Timing::certified;
   options.certifier = &timing;
-  std::string bytes = testing::traced(long_gas(), options).bytes;
+  std::string bytes = testing::traced_bytes(long_gas(), options);
   const std::string name = R"("timing":"certified")";
   bytes.replace(bytes.find(name), name.size(), R"("timing":"stable")");
   const std::size_t checksum = bytes.find(",\"checksum\"");  // an edited header leaves it out

@@ -46,14 +46,15 @@ struct Flying {
   }
 };
 
-/// To the nearest image, where there are edges.
-double distance(const Scene& scene, const Coordinates& a, const Coordinates& b) {
+/// Of the nearest image, where there are edges. Most are far apart along one axis already.
+bool is_nearer(const Scene& scene, const Coordinates& a, const Coordinates& b, double limit) {
   Coordinates r;
   for (std::size_t k = 0; k < 3; ++k) {
     r[k] = a[k] - b[k];
     if (scene.box && std::isfinite(scene.box->edges[k])) r[k] = std::remainder(r[k], scene.box->edges[k]);
+    if (std::fabs(r[k]) >= limit) return false;
   }
-  return std::hypot(r[0], r[1], r[2]);
+  return std::hypot(r[0], r[1], r[2]) < limit;
 }
 
 /// Follows a crowd whose members change course at random times. Whenever an anchor ends, everybody who came
@@ -93,10 +94,11 @@ Followed follow(const Scene& scene, double speed, int length = 0, double start =
       if (j == i) continue;
       const Flying& g = all[static_cast<std::size_t>(j)];
       const double from = std::max(f.anchored, g.anchored);
+      const double closest = limit(i, j);
       bool met = false;
-      for (int step = 0; step <= 8; ++step) {
+      for (int step = 0; step <= 8 && !met; ++step) {
         const double t = from + (now - from) * step / 8;
-        met = met || distance(scene, f.at(t), g.at(t)) < limit(i, j);
+        met = is_nearer(scene, f.at(t), g.at(t), closest);
       }
       if (!met) continue;
       ++followed.meetings;

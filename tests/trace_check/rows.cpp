@@ -100,7 +100,7 @@ Trace run_of(const Scene& scene, const Making& making, RunOptions options) {
   options.scalar = *scalar_kind(making.scalar);
   options.timing = making.timing;
   options.certifier = &certifier;
-  Trace trace = trace_of(testing::traced(scene, options).bytes);
+  Trace trace = trace_of(testing::traced_bytes(scene, options));
   std::erase_if(trace.lines, is_state);
   return trace;
 }

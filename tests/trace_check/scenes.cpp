@@ -188,7 +188,7 @@ std::string trace_bytes(const Scene& scene, const std::string& scalar, Timing ti
   options.timing = timing;
   options.certifier = &certifier;
   options.state_every = state_every;
-  return testing::traced(scene, options).bytes;
+  return testing::traced_bytes(scene, options);
 }
 
 }  // namespace tps::mutation

@@ -20,6 +20,7 @@ namespace {
 using testing::options_for;
 using testing::scratch;
 using testing::traced;
+using testing::traced_bytes;
 using testing::write_bytes;
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -110,7 +111,7 @@ TEST(Page, ColumnsHoldTheNumbersBitByBit) {
 /// The trace of X, Y and Z with the sign of Δp turned at event 2.
 std::string broken_trace() {
   std::string bytes =
-      traced(read_scene_file(TPS_SOURCE_DIR "/data/scenes/three-body.json"), options_for("double")).bytes;
+      traced_bytes(read_scene_file(TPS_SOURCE_DIR "/data/scenes/three-body.json"), options_for("double"));
   const std::size_t event = bytes.find("{\"k\":2,"), dp = bytes.find("\"dp\":[\"-", event) + 7;
   bytes.erase(dp, 1);
   const std::string path = scratch("broken.ndjson");

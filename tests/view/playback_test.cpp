@@ -19,6 +19,7 @@ namespace {
 using testing::options_for;
 using testing::scratch;
 using testing::traced;
+using testing::traced_bytes;
 using testing::write_bytes;
 
 Scene data_scene(const std::string& name) {
@@ -27,7 +28,7 @@ Scene data_scene(const std::string& name) {
 
 std::string trace_of(const Scene& scene, const std::string& scalar = "double", std::uint64_t events = 400) {
   const std::string path = scratch("view.ndjson");
-  write_bytes(path, traced(scene, options_for(scalar, events)).bytes);
+  write_bytes(path, traced_bytes(scene, options_for(scalar, events)));
   return path;
 }
 
@@ -170,7 +171,7 @@ TEST(Playback, ThinsEvenlyAndLosesNoLastChange) {
 }
 
 TEST(Playback, DamagedLinesAreLeftOutAndNamed) {
-  std::string bytes = traced(data_scene("three-body"), options_for("double", 5)).bytes;
+  std::string bytes = traced_bytes(data_scene("three-body"), options_for("double", 5));
   const std::size_t line_4 = bytes.find("{\"k\":2");
   bytes.insert(line_4 + 1, "oops");
   const std::string path = scratch("damaged.ndjson");

@@ -1,10 +1,10 @@
 #include "verify/certified/ball.hpp"
 
-#include <arb.h>
-
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "verify/certified/arb_functions.hpp"
 
 namespace tps::certified {
 namespace {
@@ -12,28 +12,28 @@ namespace {
 /// An integer of FLINT.
 class Flint {
  public:
-  Flint() { fmpz_init(x_); }
+  Flint() { loaded::fmpz_init(x_); }
   explicit Flint(const Integer& x) : Flint() {
     std::vector<ulong> limbs;
     export_bits(abs(x), std::back_inserter(limbs), FLINT_BITS, false);
-    fmpz_set_ui_array(x_, limbs.data(), static_cast<slong>(limbs.size()));
-    if (x < 0) fmpz_neg(x_, x_);
+    loaded::fmpz_set_ui_array(x_, limbs.data(), static_cast<slong>(limbs.size()));
+    if (x < 0) loaded::fmpz_neg(x_, x_);
   }
-  ~Flint() { fmpz_clear(x_); }
+  ~Flint() { loaded::fmpz_clear(x_); }
   Flint(const Flint&) = delete;
   Flint& operator=(const Flint&) = delete;
 
   fmpz* get() { return x_; }
   Integer integer() const {
-    std::vector<ulong> limbs(static_cast<std::size_t>(fmpz_size(x_)) + 1);
+    std::vector<ulong> limbs(static_cast<std::size_t>(loaded::fmpz_size(x_)) + 1);
     fmpz_t magnitude;
-    fmpz_init(magnitude);
-    fmpz_abs(magnitude, x_);
-    fmpz_get_ui_array(limbs.data(), static_cast<slong>(limbs.size()), magnitude);
-    fmpz_clear(magnitude);
+    loaded::fmpz_init(magnitude);
+    loaded::fmpz_abs(magnitude, x_);
+    loaded::fmpz_get_ui_array(limbs.data(), static_cast<slong>(limbs.size()), magnitude);
+    loaded::fmpz_clear(magnitude);
     Integer result;
     import_bits(result, limbs.begin(), limbs.end(), FLINT_BITS, false);
-    return fmpz_sgn(x_) < 0 ? Integer(-result) : result;
+    return loaded::fmpz_sgn(x_) < 0 ? Integer(-result) : result;
   }
 
  private:
@@ -43,8 +43,8 @@ class Flint {
 }  // namespace
 
 struct Ball::Arb {
-  Arb() { arb_init(x); }
-  ~Arb() { arb_clear(x); }
+  Arb() { loaded::arb_init(x); }
+  ~Arb() { loaded::arb_clear(x); }
   Arb(const Arb&) = delete;
   Arb& operator=(const Arb&) = delete;
   arb_t x;
@@ -54,18 +54,18 @@ Ball::Ball() : arb_(std::make_shared<Arb>()) {}
 
 Ball::Ball(const Rational& x) : Ball() {
   Flint n(numerator(x)), d(denominator(x));
-  arb_fmpz_div_fmpz(arb_->x, n.get(), d.get(), WorkingPrecision::bits());
+  loaded::arb_fmpz_div_fmpz(arb_->x, n.get(), d.get(), WorkingPrecision::bits());
 }
 
 Ball::Ends Ball::ends() const {
-  if (arb_is_finite(arb_->x) == 0) {
+  if (loaded::arb_is_finite(arb_->x) == 0) {
     WorkingPrecision::doubt();
     const Rational beyond_doubles(Integer(1) << 1100U);
     return {-beyond_doubles, beyond_doubles};
   }
   Flint lo, hi, exponent;
-  arb_get_interval_fmpz_2exp(lo.get(), hi.get(), exponent.get(), arb_->x);
-  const slong shift = fmpz_get_si(exponent.get());
+  loaded::arb_get_interval_fmpz_2exp(lo.get(), hi.get(), exponent.get(), arb_->x);
+  const slong shift = loaded::fmpz_get_si(exponent.get());
   const Integer power = Integer(1) << static_cast<unsigned>(std::abs(shift));
   const auto end = [&](const Flint& x) {
     return shift >= 0 ? Rational(x.integer() * power) : Rational(x.integer(), power);
@@ -74,45 +74,45 @@ Ball::Ends Ball::ends() const {
 }
 
 Sign Ball::sign() const {
-  if (arb_is_positive(arb_->x) != 0) return Sign::positive;
-  if (arb_is_negative(arb_->x) != 0) return Sign::negative;
+  if (loaded::arb_is_positive(arb_->x) != 0) return Sign::positive;
+  if (loaded::arb_is_negative(arb_->x) != 0) return Sign::negative;
   WorkingPrecision::doubt();
   return Sign::uncertain;
 }
 
 Ball operator+(const Ball& x, const Ball& y) {
   Ball sum;
-  arb_add(sum.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  loaded::arb_add(sum.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
   return sum;
 }
 
 Ball operator*(const Ball& x, const Ball& y) {
   Ball product;
-  arb_mul(product.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  loaded::arb_mul(product.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
   return product;
 }
 
 Ball operator/(const Ball& x, const Ball& y) {
   Ball quotient;
-  arb_div(quotient.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  loaded::arb_div(quotient.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
   return quotient;
 }
 
 Ball sqrt(const Ball& x) {
   Ball root;
-  arb_sqrtpos(root.arb_->x, x.arb_->x, WorkingPrecision::bits());
+  loaded::arb_sqrtpos(root.arb_->x, x.arb_->x, WorkingPrecision::bits());
   return root;
 }
 
 Ball cos_squared_pi(const Ball& x) {
   Ball cosine;
-  arb_cos_pi(cosine.arb_->x, x.arb_->x, WorkingPrecision::bits());
+  loaded::arb_cos_pi(cosine.arb_->x, x.arb_->x, WorkingPrecision::bits());
   return cosine * cosine;
 }
 
 Ball pow(const Ball& x, const Ball& y) {
   Ball power;
-  arb_pow(power.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
+  loaded::arb_pow(power.arb_->x, x.arb_->x, y.arb_->x, WorkingPrecision::bits());
   return power;
 }
 

@@ -14,6 +14,7 @@
 
 #include "reference/process/descriptors.hpp"
 #include "reference/process/interrupt.hpp"
+#include "reference/process/missing_library.hpp"
 #include "reference/run/run.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
@@ -23,6 +24,7 @@
 #include "verify/cli/say.hpp"
 #include "verify/cli/verb_catalogue.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 
 namespace tps::cli {
 namespace {
@@ -72,20 +74,6 @@ int answer_usage(const CLI::App& app, const CLI::ParseError& error) {
                    : report("standard output: cannot write the text", tps::cli::kOutputFailed);
 }
 
-/// An empty value, as an unset variable of a script leaves one, is not the same as no option.
-void refuse_empty_values(CLI::App& app) {
-  for (CLI::Option* option : app.get_options()) {
-    if (option->get_expected_min() == 0 || option->get_positional()) continue;
-    option->check(CLI::Validator(
-        [](std::string& text) {
-          return text.empty() ? std::string("is given an empty value; give one, or leave the option out")
-                              : std::string();
-        },
-        ""));
-  }
-  for (CLI::App* verb : app.get_subcommands({})) refuse_empty_values(*verb);
-}
-
 int run(int argc, char** argv) {
   int exit_code = tps::cli::kDone;
   CLI::App app("Reference implementation and oracle of the tethered particle system.", "tps");
@@ -95,7 +83,7 @@ int run(int argc, char** argv) {
   app.footer(missing.empty() ? std::string(kFooter)
                              : fmt::format("./run build adds {}.\n{}", fmt::join(missing, ", "), kFooter));
   tps::cli::add_verbs(app, exit_code);
-  refuse_empty_values(app);
+  tps::cli::refuse_empty_values(app);
   if (argc > 1 && std::count(missing.begin(), missing.end(), std::string_view(argv[1])) > 0) {
     return report(tps::cli::NotBuilt(std::string("tps ") + argv[1]).what(), tps::cli::kUsage);
   }
@@ -112,6 +100,8 @@ int run(int argc, char** argv) {
     return report(error.what(), tps::cli::kBadInput);
   } catch (const tps::OutputError& error) {
     return report(error.what(), tps::cli::kOutputFailed);
+  } catch (const tps::MissingLibrary& error) {
+    return report(error.what(), tps::cli::kOtherProgram);
   } catch (const std::bad_alloc&) {
     return report("not enough memory for this input; give it in smaller parts", tps::cli::kBadInput);
   } catch (const std::exception& error) {

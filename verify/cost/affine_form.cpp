@@ -15,26 +15,26 @@ constexpr double kTiny = 0x1p-30;  ///< of a form's reach: a factor that is not 
 
 /// Exact, since a bound of Arb has 30 bits, but for what lies below the least double or above the greatest.
 double upper_bound(const mag_t x) {
-  const double value = mag_get_d(x);
-  return value == 0 && mag_is_zero(x) == 0 ? kLeast : value;
+  const double value = loaded::mag_get_d(x);
+  return value == 0 && loaded::mag_is_zero(x) == 0 ? kLeast : value;
 }
 
 /// sup |x| of a ball.
 double largest(const arb_t x) {
   mag_t bound;
-  mag_init(bound);
-  arb_get_mag(bound, x);
+  loaded::mag_init(bound);
+  loaded::arb_get_mag(bound, x);
   const double result = upper_bound(bound);
-  mag_clear(bound);
+  loaded::mag_clear(bound);
   return result;
 }
 
 /// A ball as long as it is needed.
 class Ball {
  public:
-  Ball() { arb_init(x_); }
-  explicit Ball(const arb_t x) : Ball() { arb_set(x_, x); }
-  ~Ball() { arb_clear(x_); }
+  Ball() { loaded::arb_init(x_); }
+  explicit Ball(const arb_t x) : Ball() { loaded::arb_set(x_, x); }
+  ~Ball() { loaded::arb_clear(x_); }
   Ball(const Ball&) = delete;
   Ball& operator=(const Ball&) = delete;
   arb_ptr get() { return x_; }
@@ -45,34 +45,34 @@ class Ball {
 
 void widen_ball(arb_t x, double by) {
   mag_t error;
-  mag_init(error);
-  mag_set_d(error, by);  // an upper bound
-  arb_add_error_mag(x, error);
-  mag_clear(error);
+  loaded::mag_init(error);
+  loaded::mag_set_d(error, by);  // an upper bound
+  loaded::arb_add_error_mag(x, error);
+  loaded::mag_clear(error);
 }
 
 }  // namespace
 
 AffineForm::AffineForm(long bits) : bits_(bits) {
-  arb_init(centre_);
+  loaded::arb_init(centre_);
 }
 
 AffineForm::AffineForm(double x, long bits) : AffineForm(bits) {
-  arb_set_d(centre_, x);
+  loaded::arb_set_d(centre_, x);
 }
 
 AffineForm::AffineForm(const AffineForm& other) : AffineForm(other.bits_) {
-  arb_set(centre_, other.centre_);
+  loaded::arb_set(centre_, other.centre_);
   factors_ = other.factors_;
 }
 
 AffineForm::AffineForm(AffineForm&& other) noexcept : AffineForm(other.bits_) {
-  arb_swap(centre_, other.centre_);
+  loaded::arb_swap(centre_, other.centre_);
   factors_.swap(other.factors_);
 }
 
 AffineForm& AffineForm::operator=(AffineForm other) noexcept {
-  arb_swap(centre_, other.centre_);
+  loaded::arb_swap(centre_, other.centre_);
   factors_.swap(other.factors_);
   bits_ = other.bits_;
   return *this;
@@ -85,7 +85,7 @@ void AffineForm::widen(double by, std::uint32_t symbol) {
 void AffineForm::absorb(std::uint32_t symbol) {
   const double least = kTiny * reach();
   double rest = upper_bound(arb_radref(centre_));
-  mag_zero(arb_radref(centre_));
+  loaded::mag_zero(arb_radref(centre_));
   const auto is_tiny = [&](const Factor& f) { return std::fabs(f.factor) < least; };
   for (const Factor& f : factors_) {
     if (is_tiny(f)) rest += std::fabs(f.factor);
@@ -106,7 +106,7 @@ void AffineForm::add_error(double error) {
 
 AffineForm AffineForm::alone() const {
   AffineForm result(bits_);
-  arb_set(result.centre_, centre_);
+  loaded::arb_set(result.centre_, centre_);
   result.add_error(reach());
   return result;
 }
@@ -118,26 +118,26 @@ AffineForm AffineForm::given(std::uint32_t symbol, double value) const {
   if (found == factors_.end()) return result;
   std::erase_if(result.factors_, is_it);
   Ball factor, at;
-  arb_set_d(factor.get(), found->factor);
-  arb_set_d(at.get(), value);
-  arb_addmul(result.centre_, factor.get(), at.get(), bits_);
+  loaded::arb_set_d(factor.get(), found->factor);
+  loaded::arb_set_d(at.get(), value);
+  loaded::arb_addmul(result.centre_, factor.get(), at.get(), bits_);
   return result;
 }
 
 CertainSign AffineForm::sign() const {
   const AffineForm all = alone();
-  if (arb_is_zero(all.centre_) != 0) return CertainSign::zero;
-  if (arb_is_positive(all.centre_) != 0) return CertainSign::positive;
-  return arb_is_negative(all.centre_) != 0 ? CertainSign::negative : CertainSign::unknown;
+  if (loaded::arb_is_zero(all.centre_) != 0) return CertainSign::zero;
+  if (loaded::arb_is_positive(all.centre_) != 0) return CertainSign::positive;
+  return loaded::arb_is_negative(all.centre_) != 0 ? CertainSign::negative : CertainSign::unknown;
 }
 
 double AffineForm::lower() const {
   const AffineForm all = alone();
   arf_t end;
-  arf_init(end);
-  arb_get_lbound_arf(end, all.centre_, bits_);
-  const double result = arf_get_d(end, ARF_RND_FLOOR);
-  arf_clear(end);
+  loaded::arf_init(end);
+  loaded::arb_get_lbound_arf(end, all.centre_, bits_);
+  const double result = loaded::arf_get_d(end, ARF_RND_FLOOR);
+  loaded::arf_clear(end);
   return result;
 }
 
@@ -146,14 +146,14 @@ double AffineForm::upper() const {
 }
 
 bool AffineForm::is_finite() const {
-  return arb_is_finite(centre_) != 0 && std::isfinite(reach());
+  return loaded::arb_is_finite(centre_) != 0 && std::isfinite(reach());
 }
 
 AffineForm::Multiplier AffineForm::multiplier(const arb_t x) {
-  Multiplier result{arf_get_d(arb_midref(x), ARF_RND_NEAR)};
+  Multiplier result{loaded::arf_get_d(arb_midref(x), ARF_RND_NEAR)};
   Ball rounding;
-  arb_set_d(rounding.get(), result.value);
-  arb_sub(rounding.get(), x, rounding.get(), 64);
+  loaded::arb_set_d(rounding.get(), result.value);
+  loaded::arb_sub(rounding.get(), x, rounding.get(), 64);
   result.error = largest(rounding.get());
   return result;
 }
@@ -184,13 +184,13 @@ AffineForm AffineForm::combined(AffineForm centre, Multiplier p, const AffineFor
 
 AffineForm operator+(const AffineForm& x, const AffineForm& y) {
   AffineForm sum(std::max(x.bits_, y.bits_));
-  arb_add(sum.centre_, x.centre_, y.centre_, sum.bits_);
+  loaded::arb_add(sum.centre_, x.centre_, y.centre_, sum.bits_);
   return AffineForm::combined(std::move(sum), {1, 0}, x, {1, 0}, y, 0);
 }
 
 AffineForm operator-(const AffineForm& x, const AffineForm& y) {
   AffineForm difference(std::max(x.bits_, y.bits_));
-  arb_sub(difference.centre_, x.centre_, y.centre_, difference.bits_);
+  loaded::arb_sub(difference.centre_, x.centre_, y.centre_, difference.bits_);
   return AffineForm::combined(std::move(difference), {1, 0}, x, {-1, 0}, y, 0);
 }
 
@@ -201,7 +201,7 @@ AffineForm operator-(const AffineForm& x) {
 // (c + l)(d + m) = cd + d l + c m + l m, c and d in their balls.
 AffineForm operator*(const AffineForm& x, const AffineForm& y) {
   AffineForm product(std::max(x.bits_, y.bits_));
-  arb_mul(product.centre_, x.centre_, y.centre_, product.bits_);
+  loaded::arb_mul(product.centre_, x.centre_, y.centre_, product.bits_);
   return AffineForm::combined(std::move(product), AffineForm::multiplier(y.centre_), x,
                               AffineForm::multiplier(x.centre_), y, x.reach() * y.reach());
 }
@@ -209,12 +209,12 @@ AffineForm operator*(const AffineForm& x, const AffineForm& y) {
 // 1/(c + l) = 1/c − l/c² + l²/(c²(c + l)).
 AffineForm inverse(const AffineForm& x) {
   AffineForm result(x.bits_);
-  arb_inv(result.centre_, x.centre_, x.bits_);
+  loaded::arb_inv(result.centre_, x.centre_, x.bits_);
   Ball slope(result.centre_), bend(x.alone().centre_);
-  arb_pow_ui(slope.get(), slope.get(), 2, x.bits_);
-  arb_neg(slope.get(), slope.get());
-  arb_inv(bend.get(), bend.get(), x.bits_);
-  arb_pow_ui(bend.get(), bend.get(), 3, x.bits_);
+  loaded::arb_pow_ui(slope.get(), slope.get(), 2, x.bits_);
+  loaded::arb_neg(slope.get(), slope.get());
+  loaded::arb_inv(bend.get(), bend.get(), x.bits_);
+  loaded::arb_pow_ui(bend.get(), bend.get(), 3, x.bits_);
   const double second_order = x.reach() * x.reach() * largest(bend.get());
   return AffineForm::combined(std::move(result), AffineForm::multiplier(slope.get()), x, {},
                               AffineForm(x.bits_), second_order);
@@ -224,12 +224,12 @@ AffineForm inverse(const AffineForm& x) {
 // l ≥ w.
 AffineForm sqrt(const AffineForm& x) {
   AffineForm result(x.bits_);
-  arb_sqrt(result.centre_, x.centre_, x.bits_);
+  loaded::arb_sqrt(result.centre_, x.centre_, x.bits_);
   Ball slope(result.centre_), bend(x.alone().centre_);
-  arb_mul_2exp_si(slope.get(), slope.get(), 1);
-  arb_inv(slope.get(), slope.get(), x.bits_);
-  arb_rsqrt(bend.get(), bend.get(), x.bits_);
-  arb_pow_ui(bend.get(), bend.get(), 3, x.bits_);
+  loaded::arb_mul_2exp_si(slope.get(), slope.get(), 1);
+  loaded::arb_inv(slope.get(), slope.get(), x.bits_);
+  loaded::arb_rsqrt(bend.get(), bend.get(), x.bits_);
+  loaded::arb_pow_ui(bend.get(), bend.get(), 3, x.bits_);
   const double second_order = x.reach() * x.reach() * largest(bend.get()) / 8;
   return AffineForm::combined(std::move(result), AffineForm::multiplier(slope.get()), x, {},
                               AffineForm(x.bits_), second_order);
@@ -237,22 +237,22 @@ AffineForm sqrt(const AffineForm& x) {
 
 AffineForm cos_degrees(double theta, long bits) {
   AffineForm result(theta, bits);
-  arb_div_ui(result.centre_, result.centre_, 180, bits);
-  arb_cos_pi(result.centre_, result.centre_, bits);
+  loaded::arb_div_ui(result.centre_, result.centre_, 180, bits);
+  loaded::arb_cos_pi(result.centre_, result.centre_, bits);
   return result;
 }
 
 AffineForm tan_degrees(double theta, long bits) {
   AffineForm result(theta, bits);
-  arb_div_ui(result.centre_, result.centre_, 180, bits);
-  arb_tan_pi(result.centre_, result.centre_, bits);
+  loaded::arb_div_ui(result.centre_, result.centre_, 180, bits);
+  loaded::arb_tan_pi(result.centre_, result.centre_, bits);
   return result;
 }
 
 AffineForm speed_ratio(double c, double theta_deg, long bits) {
   AffineForm result(c, bits), exponent(theta_deg, bits);
-  arb_div_ui(exponent.centre_, exponent.centre_, 180, bits);
-  arb_pow(result.centre_, result.centre_, exponent.centre_, bits);
+  loaded::arb_div_ui(exponent.centre_, exponent.centre_, 180, bits);
+  loaded::arb_pow(result.centre_, result.centre_, exponent.centre_, bits);
   return result;
 }
 

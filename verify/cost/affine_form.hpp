@@ -2,10 +2,10 @@
 // 1997; docs/accuracy-cost.md, "What is proven"). Heavy header: Arb.
 #pragma once
 
-#include <arb.h>
-
 #include <cstdint>
 #include <vector>
+
+#include "verify/certified/arb_functions.hpp"
 
 namespace tps::cost {
 
@@ -21,7 +21,7 @@ class AffineForm {
  public:
   /// The double, exactly; results are computed with centres of so many bits.
   AffineForm(double x, long bits);
-  ~AffineForm() { arb_clear(centre_); }
+  ~AffineForm() { loaded::arb_clear(centre_); }
   AffineForm(const AffineForm& other);
   AffineForm(AffineForm&& other) noexcept;
   AffineForm& operator=(AffineForm other) noexcept;

@@ -1,9 +1,8 @@
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "reference/process/thread_time.hpp"
 #include "verify/cost/measure.hpp"
 #include "verify/cost/questions.hpp"
 #include "verify/vectors/random.hpp"
@@ -15,12 +14,9 @@ namespace {
 constexpr double kShortest = 50'000;  // ns
 constexpr double kConfidence = 0.95;
 
-/// Of this thread alone, so that what others do on the machine costs caches, not time; or of the wall, where
-/// somebody else answers.
+/// Of this thread alone; or of the wall, where somebody else answers.
 double now_ns(bool elsewhere) {
-  timespec now{};
-  clock_gettime(elsewhere ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+  return 1e9 * (elsewhere ? seconds_of(CLOCK_MONOTONIC) : thread_seconds());
 }
 
 using Loop = std::function<void(std::span<const TimingQuery>)>;

@@ -1,13 +1,12 @@
 #include "verify/cost/response_level.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reference/process/thread_time.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/cost/statistics.hpp"
 #include "verify/cost/wanted.hpp"
@@ -108,9 +107,7 @@ bool is_off(const ResponseAnswer& answer, const Judge& judge) {
 }
 
 double cpu_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+  return 1e9 * thread_seconds();
 }
 
 /// Of short loops the clock is a part: each is repeated for 50 microseconds at least.

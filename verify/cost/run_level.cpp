@@ -1,11 +1,11 @@
 #include "verify/cost/run_level.hpp"
 
 #include <gsl/gsl_fit.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "reference/process/thread_time.hpp"
 #include "reference/run/run.hpp"
 #include "verify/cost/enclosed_run.hpp"
 #include "verify/cost/traced_run.hpp"
@@ -23,21 +23,14 @@ struct Measured {
   double events_per_second;
 };
 
-/// Of this thread alone: others on the machine cost caches, not time.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 Measured run(const Scene& scene, const std::string& scalar, Timing timing, const RunLevelOptions& options) {
   RunOptions choice;
   choice.scalar = *scalar_kind(scalar);
   choice.timing = timing;
   choice.max_events = options.events;
-  const double start = cpu_seconds();
+  const double start = thread_seconds();
   const RunSummary timed = timed_run(scene, choice);
-  const double seconds = cpu_seconds() - start;
+  const double seconds = thread_seconds() - start;
   return {traced_run(scene, choice), static_cast<double>(timed.events) / seconds};
 }
 

@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "reference/process/missing_library.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
 #include "reference/text/nearest_name.hpp"
@@ -129,6 +130,8 @@ Reply reply_to(std::string_view line) {
     return failed("null", {"bad_json", message_of(error)});
   } catch (const std::bad_alloc&) {
     return failed("null", {"too_large", "not enough memory for this request; give it in smaller parts"});
+  } catch (const MissingLibrary&) {
+    throw;  // no question has an answer then
   } catch (const std::exception& error) {
     return failed("null", {"internal", fmt::format("an error of ours, please report it: {}", error.what())});
   }

@@ -8,6 +8,7 @@
 #include "reference/scene/write_scene.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/scenes/registry.hpp"
 
@@ -50,7 +51,9 @@ void add_scene(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("scene", "Writes a parametrised scene.");
   verb->require_subcommand(1);
   verb->footer("Example: tps scene terminal --seed 7 -o terminal.json");
-  for (const SceneBuilder& builder : scene_builders()) add_builder(*verb, builder);
+  make_when_called(verb, [](CLI::App* called) {
+    for (const SceneBuilder& builder : scene_builders()) add_builder(*called, builder);
+  });
 }
 
 }  // namespace tps::cli

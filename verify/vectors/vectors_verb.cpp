@@ -10,6 +10,7 @@
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/verbs.hpp"
+#include "verify/cli/when_called.hpp"
 #include "verify/vectors/generate.hpp"
 #include "verify/vectors/judge_files.hpp"
 
@@ -125,11 +126,7 @@ void add_verify(CLI::App& verb, int& exit_code) {
   });
 }
 
-}  // namespace
-
-void add_vectors(CLI::App& app, int& exit_code) {
-  CLI::App* verb =
-      app.add_subcommand("vectors", "Known answers that prove themselves: writes, lists, judges.");
+void add_vectors_options(CLI::App* verb, int& exit_code) {
   verb->require_subcommand(1);
   verb->footer("Example: tps vectors verify data/vectors/order.twins.jsonl");
   add_generate(*verb);
@@ -143,6 +140,14 @@ void add_vectors(CLI::App& app, int& exit_code) {
   CLI::App* requesting = verb->add_subcommand("requests", "Writes the cases as requests of the protocol.");
   requesting->add_option("files", *files, "Known-answer files, - for standard input")->required();
   requesting->callback([files] { write_requests(*files); });
+}
+
+}  // namespace
+
+void add_vectors(CLI::App& app, int& exit_code) {
+  CLI::App* verb =
+      app.add_subcommand("vectors", "Known answers that prove themselves: writes, lists, judges.");
+  make_when_called(verb, [&exit_code](CLI::App* called) { add_vectors_options(called, exit_code); });
 }
 
 }  // namespace tps::cli

@@ -1,5 +1,4 @@
 """What happens next in the simulator, and a collision on its way to an answer."""
-from numbers_of_traces import exact
 from responses import Frame
 from timing import INNER, OUTER
 
@@ -9,7 +8,7 @@ RESTITUTION, PHASE, IMPULSE, COLLISION = range(4)
 class Event:
     def __init__(self, time, rank, i=-1, j=-1, limit=INNER, start=None, root=None):
         self.time, self.rank, self.i, self.j, self.limit = time, rank, i, j, limit
-        self.start, self.root = start if start is not None else exact(time), root
+        self.start, self.root = start or time, root  # a time counted from the start, where there is a root
         self.record = {}
 
     def ties(self):

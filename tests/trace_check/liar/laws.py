@@ -8,7 +8,7 @@ class Laws:
         self.species = scene["species"]
         self.particles = sorted(scene["particles"], key=lambda p: p["id"])
         self.index = {p["id"]: n for n, p in enumerate(self.particles)}
-        self.pairs = {}  # by two species: the rules, nothing where both are fixed
+        self.pairs = {}  # by two particles: the rules, nothing where both are fixed
         self.table = {frozenset(pair["between"]): pair for pair in scene.get("pairs", [])}
         self.open = [False] * len(scene.get("phases", []))
         self.changes = self.known_changes()
@@ -31,11 +31,11 @@ class Laws:
         return self.species[self.particles[i]["species"]].get("max_tethers", math.inf)
 
     def pair(self, i, j):
-        a, b = self.particles[i]["species"], self.particles[j]["species"]
-        if (a, b) not in self.pairs:
+        if (i, j) not in self.pairs:
             both_fixed = math.isinf(self.mass(i)) and math.isinf(self.mass(j))
-            self.pairs[a, b] = {} if both_fixed else self.table.get(frozenset((a, b)), {})
-        return self.pairs[a, b]
+            species = frozenset(self.particles[n]["species"] for n in (i, j))
+            self.pairs[i, j] = {} if both_fixed else self.table.get(species, {})
+        return self.pairs[i, j]
 
     def blocking(self, i, j):
         return self.pair(i, j).get("blocking")

@@ -46,9 +46,7 @@ def after(t, dt):
 
 def elapsed(earlier, later):
     """later − earlier, rounded once to a double."""
-    if earlier[1] == later[1]:
-        return later[0] - earlier[0]
-    return float(exact(later) - exact(earlier))
+    return math.fsum((later[0], later[1], -earlier[0], -earlier[1]))
 
 
 def exact(t):

@@ -22,7 +22,7 @@ class Schedule:
         if self.timing == "certified":
             root = exact_root(*states, length, limit, only_hit)
             if root:
-                event = Event(after(start, root.rounded()), COLLISION, i, j, limit, exact(start), root)
+                event = Event(after(start, root.rounded()), COLLISION, i, j, limit, start, root)
         else:
             t = stable_time(*states, length, limit, only_hit)
             if t is not None:
@@ -54,7 +54,7 @@ class Schedule:
         if self.timing == "certified":
             apart = abs(a.time[0] - b.time[0])
             if apart <= 2.0**-40 * max(abs(a.time[0]), abs(b.time[0])):
-                exactly = compare(a.start, a.root, b.start, b.root)
+                exactly = compare(exact(a.start), a.root, exact(b.start), b.root)
                 return exactly or (-1 if a.ties() < b.ties() else a.ties() > b.ties())
         key_a, key_b = (a.time, a.ties()), (b.time, b.ties())
         return -1 if key_a < key_b else key_a > key_b

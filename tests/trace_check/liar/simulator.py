@@ -61,7 +61,7 @@ class Simulator(Schedule):
                 self.responded[a].add((b, limit))
 
     def has_responded(self, i, j, limit):
-        return all(self.fixed[a] or (b, limit) in self.responded[a] for a, b in ((i, j), (j, i)))
+        return (self.fixed[i] or (j, limit) in self.responded[i]) and (self.fixed[j] or (i, limit) in self.responded[j])
 
     def body_mass(self, i):
         body = self.forest.body(i) if self.forest else None

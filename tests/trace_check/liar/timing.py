@@ -11,17 +11,26 @@ class Root:
     """The time (p + s √d)/a × 2^k with integers p, d ≥ 0, a > 0 and s = −1, 0 or 1."""
 
     def __init__(self, p, s, d, a, k):
-        self.p, self.s, self.d, self.a, self.scale = p, s, d, a, Fraction(2) ** k
+        self.p, self.s, self.d, self.a, self.k = p, s, d, a, k
+
+    def fraction(self, numerator):
+        """numerator/a × 2^k"""
+        return Fraction(numerator << max(self.k, 0), self.a << max(-self.k, 0))
+
+    def quotient(self, numerator, bits=0):
+        """The double nearest to numerator/a × 2^(k − bits): what Python divides integers to."""
+        k = self.k - bits
+        return (numerator << max(k, 0)) / (self.a << max(-k, 0))
 
     def rounded(self):
         """The nearest double."""
         root = math.isqrt(self.d)
         if self.s == 0 or root * root == self.d:
-            return float(Fraction(self.p + self.s * root, self.a) * self.scale)
+            return self.quotient(self.p + self.s * root)
         bits = 64
         while True:
             root = math.isqrt(self.d << 2 * bits)
-            low, high = (float(Fraction((self.p << bits) + self.s * r, self.a << bits) * self.scale) for r in (root, root + 1))
+            low, high = (self.quotient((self.p << bits) + self.s * r, bits) for r in (root, root + 1))
             if low == high:
                 return low
             bits *= 2
@@ -46,9 +55,9 @@ def compare(start_1, root_1, start_2, root_2):
     y = z = Fraction(0)
     d1 = d2 = 0
     if root_1:
-        x, y, d1 = x + Fraction(root_1.p, root_1.a) * root_1.scale, Fraction(root_1.s, root_1.a) * root_1.scale, root_1.d
+        x, y, d1 = x + root_1.fraction(root_1.p), root_1.fraction(root_1.s), root_1.d
     if root_2:
-        x, z, d2 = x - Fraction(root_2.p, root_2.a) * root_2.scale, -Fraction(root_2.s, root_2.a) * root_2.scale, root_2.d
+        x, z, d2 = x - root_2.fraction(root_2.p), -root_2.fraction(root_2.s), root_2.d
     if z == 0 or d2 == 0:
         return sign_of_sum(x, y, d1)
     if y == 0 or d1 == 0:
