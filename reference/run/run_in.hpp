@@ -5,6 +5,7 @@
 #include <chrono>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <new>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 
 #include "reference/run/audit.hpp"
 #include "reference/run/clusters.hpp"
+#include "reference/run/event_batches.hpp"
 #include "reference/run/run.hpp"
 #include "reference/run/scene_in_scalar.hpp"
 #include "reference/run/trace_file.hpp"
@@ -32,13 +34,14 @@ class RecordedRun {
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
         files_(options),
         simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}, options.detector),
+        events_(scene, files_),
         schedule_(scene, scene.duration) {
     if (resume != nullptr) take_up(*resume);
     simulation_->set_horizon(horizon_);
     next_ = simulation_->next_time();
     files_.begin(scene, options, state_every_, resume);
-    last_state_ = capture(*simulation_);
-    if (resume == nullptr && files_.wants_states()) write_state_line(false);
+    keep_state(false);
+    if (resume == nullptr) write_state();
     first_event_ = world().events;
     listen();
   }
@@ -53,7 +56,8 @@ class RecordedRun {
     if (reason != EndReason::out_of_range) {
       schedule_.sample_until(world(), std::min(next_, after_end(end)), samples_);
     }
-    if (files_.wants_states()) write_state_line(true);
+    if (files_.wants_states()) keep_state(true);
+    write_state();
     if (files_.has_trace()) {
       const std::string t = time_of_end(reason, end);
       files_.line("{\"end\":\"" + std::string(name(reason)) + "\",\"events\":" +
@@ -94,14 +98,15 @@ class RecordedRun {
       const std::uint64_t before = world().events;
       if (!step()) return EndReason::out_of_range;
       if (before / state_every_ != world().events / state_every_) {
-        last_state_ = capture(*simulation_);
-        if (files_.wants_states()) write_state_line(false);
+        keep_state(false);
+        write_state();
       }
       if (steps % kStepsBetweenLooks != 0) continue;
       const auto now = std::chrono::steady_clock::now();
       if (now - last_report < std::chrono::milliseconds(100)) continue;
       last_report = now;
-      files_.flush();
+      events_.hand_over();
+      files_.send();
       if (options_.progress) {
         options_.progress({static_cast<double>(world().now.hi), duration_, world().events});
       }
@@ -118,21 +123,22 @@ class RecordedRun {
       next_ = simulation_->next_time();  // a detector may ask pairs only now
     } catch (const OutOfRange& problem) {
       out_of_range_ = problem.what();
-      lines_.clear();
+      events_.drop_step();
       simulate_again(before);
       return false;
     }
-    if (!lines_.empty()) files_.lines(lines_);
-    lines_.clear();
+    events_.end_step();
     return true;
   }
 
   /// A step that broke off has changed some of the state. Since a run is a function of its last full state,
   /// simulating from there gives what was before it.
   void simulate_again(std::uint64_t events) {
+    events_.hand_over();
+    files_.settle();  // events name what the simulation holds
     simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier}, options_.detector);
     simulation_->set_horizon(horizon_);
-    restore(*simulation_, last_state_);
+    restore(*simulation_, *last_state_);
     while (world().events < events) simulation_->step();
     listen();
   }
@@ -176,17 +182,29 @@ class RecordedRun {
   }
 
   void note(const Record<Scalar, D>& record) {
-    if (files_.has_trace()) append_event<Scalar, D>(lines_, scene_, record);
+    if (files_.has_trace()) events_.add(record);
     last_involved_.push_back(record.i);
     last_involved_.push_back(record.j);
     while (last_involved_.size() > kLastInvolved) last_involved_.pop_front();
   }
 
-  void write_state_line(bool final) {
+  void keep_state(bool final) {
+    if (last_state_.use_count() > 1) files_.settle();  // a large one is not kept twice
+    last_state_ = {};
     StateData state = capture(*simulation_);
     state.final = final;
-    for (const ClusterSample& sample : samples_) state.observations.push_back(sample_data(sample));
-    files_.state(write_state(state, time_of(scene_, world().now)));
+    if (files_.wants_states()) {
+      for (const ClusterSample& sample : samples_) state.observations.push_back(sample_data(sample));
+    }
+    last_state_ = std::make_shared<const StateData>(std::move(state));
+  }
+
+  void write_state() {
+    if (!files_.wants_states()) return;
+    events_.hand_over();
+    files_.state([state = last_state_, t = time_of(scene_, world().now)](std::string& text) {
+      text.append(tps::write_state(*state, t)).push_back('\n');
+    });
   }
 
   static std::vector<Hex> sample_data(const ClusterSample& s) {
@@ -240,11 +258,11 @@ class RecordedRun {
       files_;  ///< before the simulation, whose start takes long: whoever may not write hears it at once
   std::optional<Simulation<Scalar, D>> simulation_;
   Time<Scalar> next_;  ///< of the next event: looked for with the step before it, which may then be undone
+  EventBatches<Scalar, D> events_;  ///< behind the simulation, of which it holds names
   ClusterSchedule schedule_;
   std::uint64_t first_event_ = 0;
   std::deque<int> last_involved_;
-  std::string lines_;  ///< of the step that is being made
-  StateData last_state_;
+  std::shared_ptr<const StateData> last_state_;
   std::string out_of_range_;
 };
 

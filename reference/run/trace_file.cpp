@@ -228,19 +228,27 @@ void TraceFiles::line(std::string_view text) {
   trace_->write("\n");
 }
 
-void TraceFiles::lines(std::string_view text) {
-  trace_->write(text);
+void TraceFiles::lines(MakeText make) {
+  trace_->write(std::move(make));
 }
 
-void TraceFiles::state(const std::string& text) {
-  if (trace_) line(text);
-  if (!checkpoint_) return;
-  if (trace_) trace_->flush();  // a checkpoint is never ahead of its trace
-  checkpoint_->replace(checkpoint_head_ + text + "\n");
+void TraceFiles::state(MakeText make) {
+  if (!checkpoint_) return lines(std::move(make));
+  std::string text = checkpoint_head_;
+  make(text);
+  if (trace_) {
+    trace_->write(std::string_view(text).substr(checkpoint_head_.size()));
+    trace_->flush();  // a checkpoint is never ahead of its trace
+  }
+  checkpoint_->replace(text);
 }
 
-void TraceFiles::flush() {
-  if (trace_) trace_->flush();
+void TraceFiles::send() {
+  if (trace_) trace_->send();
+}
+
+void TraceFiles::settle() noexcept {
+  if (trace_) trace_->settle();
 }
 
 void TraceFiles::close() {

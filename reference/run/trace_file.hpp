@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "reference/run/run.hpp"
+#include "reference/text/background_writer.hpp"
 #include "reference/text/output.hpp"
 #include "reference/trace/state_data.hpp"
 
@@ -58,10 +59,14 @@ class TraceFiles {
   bool has_trace() const { return trace_ != nullptr; }
   bool wants_states() const { return trace_ != nullptr || checkpoint_.has_value(); }
   void line(std::string_view text);
-  /// Lines with their ends.
-  void lines(std::string_view text);
-  void state(const std::string& text);
-  void flush();
+  /// Lines with their ends, of the trace, as Output::write has them made.
+  void lines(MakeText make);
+  /// A full state, its end included: of both.
+  void state(MakeText make);
+  /// What there is of the trace is soon to be seen.
+  void send();
+  /// Waits until nothing handed over is needed any more.
+  void settle() noexcept;
   void close();
 
  private:

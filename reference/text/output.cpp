@@ -69,27 +69,42 @@ Output::~Output() {
   if (made_empty_) ::unlink(path_.c_str());
   try {
     close();
-  } catch (const OutputError&) {
+  } catch (const std::exception&) {
     // Only reached while another exception is on its way: close() was not called.
   }
 }
 
 void Output::write(std::string_view text) {
   buffer_.append(text);
-  if (background_ == nullptr) {
-    if (buffer_.size() >= kBufferSize) flush();
-  } else if (buffer_.size() >= kBackgroundBufferSize) {
-    wait();
-    background_->hand_over(buffer_);
-  }
+  if (buffer_.size() < (background_ == nullptr ? kBufferSize : kBackgroundBufferSize)) return;
+  send();
 }
 
-/// Behind what could not be written nothing else is.
-void Output::wait() try {
-  if (background_ != nullptr) background_->wait();
+void Output::write(std::function<void(std::string&)> make) {
+  if (background_ == nullptr) {
+    make(buffer_);
+    if (buffer_.size() >= kBufferSize) flush();
+    return;
+  }
+  send();
+  in_background([&] { background_->hand_over(std::move(make)); });
+}
+
+void Output::send() {
+  if (background_ == nullptr) return flush();
+  in_background([this] { background_->hand_over(buffer_); });
+}
+
+template <typename Action>
+void Output::in_background(const Action& action) try {
+  action();
 } catch (const OutputError&) {
   buffer_.clear();
   throw;
+}
+
+void Output::settle() noexcept {
+  if (background_ != nullptr) background_->settle();
 }
 
 void Output::write_in_background() {
@@ -98,7 +113,7 @@ void Output::write_in_background() {
 }
 
 void Output::flush() {
-  wait();
+  if (background_ != nullptr) in_background([this] { background_->wait(); });
   std::string text;
   text.swap(buffer_);
   write_out(text);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -39,11 +40,18 @@ class Output {
   /// Keeps the first `keep` bytes of the file and goes on behind them.
   void begin(std::uint64_t keep = 0);
   void write(std::string_view text);
+  /// Text that `make` appends to a string: in the background it is the thread that has it made, and what
+  /// `make` refers to is to stay as BackgroundWriter::hand_over says.
+  void write(std::function<void(std::string&)> make);
   /// From now on full buffers are handed to the system by a thread of their own, where it has a processor for
-  /// itself; what the system refuses is reported by the call after.
+  /// itself; what the system refuses is reported by one of the calls after.
   void write_in_background();
+  /// Sees to it that everything gets to the system soon, and waits for nothing that the background does.
+  void send();
   /// Hands everything to the system.
   void flush();
+  /// Waits until no `make` is needed any more.
+  void settle() noexcept;
   /// Flushes and closes; a write that fails only now is reported too.
   void close();
 
@@ -51,7 +59,9 @@ class Output {
   /// Locked until it is closed, by whichever name or link it was opened.
   void open_locked(int mode);
   [[noreturn]] void fail(const char* action) const;
-  void wait();
+  /// Behind what could not be written nothing else is.
+  template <typename Action>
+  void in_background(const Action& action);
   void write_out(std::string_view text) const;
 
   std::string path_;

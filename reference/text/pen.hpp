@@ -23,7 +23,7 @@ class Pen {
   }
   Pen(const Pen&) = delete;
   Pen& operator=(const Pen&) = delete;
-  ~Pen() { text_.resize(static_cast<std::size_t>(at_ - text_.data())); }
+  ~Pen() { text_.resize(length()); }
 
   void put(char c) {
     need(1);
@@ -40,6 +40,14 @@ class Pen {
     need(text.size());
     std::memcpy(at_, text.data(), text.size());
     at_ += text.size();
+  }
+  /// Bytes that the string holds so far.
+  std::size_t length() const { return static_cast<std::size_t>(at_ - text_.data()); }
+  /// What stands in the string from a place on.
+  void put_again(std::size_t place, std::size_t bytes) {
+    need(bytes);
+    std::memcpy(at_, text_.data() + place, bytes);
+    at_ += bytes;
   }
   /// In decimal.
   void put_natural(std::integral auto n) {
@@ -80,7 +88,7 @@ class Pen {
     if (static_cast<std::size_t>(end_ - at_) < bytes) make_room(bytes);
   }
   void make_room(std::size_t bytes) {
-    const auto written = static_cast<std::size_t>(at_ - text_.data());
+    const std::size_t written = length();
     text_.resize(2 * written + bytes + kRoom);
     at_ = text_.data() + written;
     end_ = text_.data() + text_.size();

@@ -1,6 +1,7 @@
 // The lines of a trace, docs/trace.md.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -80,16 +81,33 @@ void put_spin(Pen& pen, const std::vector<Scalar>& spin) {
   pen.put("\"]");
 }
 
+/// Where the positions of the first two particles of an event stand in its line: they are the same before and
+/// after.
+struct PlacesOfPositions {
+  struct Place {
+    std::size_t begin = 0, bytes = 0;
+  };
+  std::array<Place, 2> of;
+};
+
 /// {"0":{"position":[…],"velocity":[…]},…}, velocities before or after the event.
 template <typename Scalar, int D>
-void put_states(Pen& pen, const Scene& scene, const Record<Scalar, D>& record, bool after_event) {
+void put_states(Pen& pen, const Scene& scene, const Record<Scalar, D>& record, bool after_event,
+                PlacesOfPositions& places) {
   char separator = '{';
-  for (const ParticleChange<Scalar, D>& change : record.involved) {
+  for (std::size_t n = 0; n < record.involved.size(); ++n) {
+    const ParticleChange<Scalar, D>& change = record.involved[n];
     pen.put(separator);
     pen.put('"');
     pen.put_natural(scene.particles[static_cast<std::size_t>(change.particle)].id);
     pen.put("\":{\"position\":");
-    put_vector<Scalar, D>(pen, change.position);
+    if (after_event && n < places.of.size()) {
+      pen.put_again(places.of[n].begin, places.of[n].bytes);
+    } else {
+      const std::size_t begin = pen.length();
+      put_vector<Scalar, D>(pen, change.position);
+      if (n < places.of.size()) places.of[n] = {begin, pen.length() - begin};
+    }
     pen.put(",\"velocity\":");
     put_vector<Scalar, D>(pen, after_event ? change.velocity_after : change.velocity_before);
     if (record.addition != nullptr) {
@@ -186,10 +204,11 @@ void append_event(std::string& line, const Scene& scene, const Record<Scalar, D>
   if (record.i >= 0) detail::put_member(pen, ",\"i\":", id(record.i));
   if (record.j >= 0 && record.j != record.i) detail::put_member(pen, ",\"j\":", id(record.j));
   if (!record.involved.empty()) {
+    detail::PlacesOfPositions places;
     pen.put(",\"pre\":");
-    detail::put_states<Scalar, D>(pen, scene, record, false);
+    detail::put_states<Scalar, D>(pen, scene, record, false, places);
     pen.put(",\"post\":");
-    detail::put_states<Scalar, D>(pen, scene, record, true);
+    detail::put_states<Scalar, D>(pen, scene, record, true, places);
   }
   detail::put_member<Scalar, D>(pen, ",\"dp\":", record.dp);
   if (added != nullptr) {
