@@ -1,6 +1,7 @@
 // Integers modulo 2^256 beside those of any size, and the verdicts that they give.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "verify/exact/double_word_filter.hpp"
@@ -46,6 +47,30 @@ TEST(ModularInteger, IsAnIntegerModulo2To256) {
     if (bits_of(Integer(A * B)) < 255) {
       ASSERT_EQ((a * b).sign(), Integer(A * B).sign()) << x << ' ' << y;
     }
+  }
+}
+
+/// Every length of both factors, the ends of the range among them.
+TEST(ModularInteger, MultipliesShortIntegers) {
+  std::mt19937_64 bits(3);
+  const auto number = [&]() -> ShortInteger {
+    const ShortInteger x = ShortInteger{static_cast<std::int64_t>(bits())} << 64 | ShortInteger{bits()};
+    const ShortInteger shortened = x >> (bits() % 127);
+    const ShortInteger largest = ~(ShortInteger{std::numeric_limits<std::int64_t>::min()} << 64);
+    switch (bits() % 16) {
+      case 0:
+        return largest;
+      case 1:
+        return -largest;
+      case 2:
+        return ShortInteger{1} << (bits() % 127);
+      default:
+        return shortened;
+    }
+  };
+  for (int n = 0; n < 20'000; ++n) {
+    const ShortInteger x = number(), y = number();
+    ASSERT_TRUE(ModularInteger::product(x, y) == ModularInteger(x) * ModularInteger(y)) << n;
   }
 }
 

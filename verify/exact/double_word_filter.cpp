@@ -7,26 +7,30 @@ TPS_WITH_FMA Coefficients double_word_coefficients(const TimingQuery& query) {
   const std::array<DoubleWord, 3> r = relative_position(query);
   const std::array<DoubleWord, 3> v = exact_difference(query.v_B, query.v_A);
 
-  const DoubleWord a = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  const DoubleWord r_squared = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+  const DoubleWord a_parts = dot(v, v), r_parts = dot(r, r), h_parts = dot(r, v);
+  const DoubleWord a = fast_two_sum(a_parts.hi, a_parts.lo);
+  const DoubleWord r_squared = fast_two_sum(r_parts.hi, r_parts.lo);
+  const DoubleWord h = two_sum(h_parts.hi, h_parts.lo);
   const DoubleWord L_squared = two_product(query.L, query.L);
-  const DoubleWord h_x = r[0] * v[0];
-  const DoubleWord h_y = r[1] * v[1];
-  const DoubleWord h_z = r[2] * v[2];
-  const DoubleWord h = h_x + h_y + h_z;
-  const DoubleWord c = r_squared - L_squared;
-  const DoubleWord D = h * h - a * c;
+  const DoubleWord c_high = two_sum(r_squared.hi, -L_squared.hi);
+  const DoubleWord c = two_sum(c_high.hi, c_high.lo + (r_squared.lo - L_squared.lo));
+
+  const DoubleWord h_squared = two_product(h.hi, h.hi);
+  const DoubleWord a_c = two_product(a.hi, c.hi);
+  const DoubleWord D_high = two_sum(h_squared.hi, -a_c.hi);
+  const double crossed = 2 * (h.hi * h.lo) - __builtin_fma(a.hi, c.lo, a.lo * c.hi);
+  const double D = D_high.hi + ((D_high.lo + (h_squared.lo - a_c.lo)) + crossed);
 
   const double wide = widening(query);
   const double M = r_squared.hi + L_squared.hi;
-  const double H = std::fabs(h_x.hi) + std::fabs(h_y.hi) + std::fabs(h_z.hi);
+  const double H = std::fabs(r[0].hi * v[0].hi) + std::fabs(r[1].hi * v[1].hi) + std::fabs(r[2].hi * v[2].hi);
   return {a.hi,
           h.hi,
           c.hi,
-          D.hi,
-          wide * 12 * u2 * H + underflow_allowance,
-          wide * 15 * u2 * M,
-          wide * 36 * u2 * (H * H + a.hi * M),
+          D,
+          wide * 21 * u2 * H + underflow_allowance,
+          wide * 24 * u2 * M,
+          wide * 60 * u2 * (H * H + a.hi * M),
           comfortable(a.hi) && comfortable(M)};
 }
 

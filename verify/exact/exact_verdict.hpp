@@ -12,7 +12,8 @@ namespace tps::exact {
 /// A verdict, and the best coefficients that the stages so far have seen.
 struct VerdictWithCoefficients {
   Verdict verdict;
-  Coefficients coefficients;  ///< in_range is false where only integers could answer
+  Coefficients coefficients;     ///< in_range is false where only integers could answer
+  bool in_double_words = false;  ///< the coefficients are those of stage 2
 };
 
 /// Stages 2 and 3, for a query that stage 1 left open. REQUIRES a valid query with v ≠ 0.

@@ -29,6 +29,7 @@ std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoeff
     if (rounded) return rounded;
   }
   ++counters.time.uncertain;
+  if (!once && known.in_double_words) return std::nullopt;  // there are no better ones
   const double better = once ? once->t + once->correction
                              : approximate_time(query.kind, known.verdict, double_word_coefficients(query));
   const std::optional<RefinedTime> twice = refined_time(query, known.verdict, better);
@@ -36,11 +37,13 @@ std::optional<double> fast_time(const TimingQuery& query, const VerdictWithCoeff
 }
 
 /// The same where double words bound the integers of the query.
-std::optional<double> modular_time(const TimingQuery& query, Verdict verdict, Counters& counters) {
-  const std::optional<ModularQuadratic> quadratic = modular_quadratic(query, double_word_coefficients(query));
+std::optional<double> modular_time(const TimingQuery& query, const VerdictWithCoefficients& known,
+                                   Counters& counters) {
+  const std::optional<ModularQuadratic> quadratic =
+      modular_quadratic(query, known.in_double_words ? known.coefficients : double_word_coefficients(query));
   if (!quadratic) return std::nullopt;
   counters.largest_bits = std::max<std::uint64_t>(counters.largest_bits, ModularInteger::kBits);
-  return rounded_time(query.kind, verdict, *quadratic);
+  return rounded_time(query.kind, known.verdict, *quadratic);
 }
 
 double time_by_integers(const TimingQuery& query, Verdict verdict, Counters& counters) {
@@ -68,7 +71,7 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
   const std::optional<double> fast = fast_time(query, known, counters);
   if (fast) return {known.verdict, fast};
   ++counters.time.exact;
-  const std::optional<double> modular = modular_time(query, known.verdict, counters);
+  const std::optional<double> modular = modular_time(query, known, counters);
   return {known.verdict, modular ? *modular : time_by_integers(query, known.verdict, counters)};
 }
 
