@@ -28,6 +28,14 @@ class LineCursor {
     return true;
   }
   bool at_end() const { return at_ == end_; }
+  const char* place() const { return at_; }
+  /// A text that has been taken before.
+  bool take_again(std::string_view text) {
+    if (static_cast<std::size_t>(end_ - at_) < text.size() || std::memcmp(at_, text.data(), text.size()) != 0)
+      return false;
+    at_ += text.size();
+    return true;
+  }
 
   /// What stands before the next quotation mark, which is taken, too; without anything that JSON escapes or
   /// that is no ASCII.
@@ -64,7 +72,9 @@ class LineCursor {
     const bool is_normal = p[2] == '1';
     p += 3;
     std::uint64_t fraction = 0;
-    if (*p == '.') {
+    if (*p == '.' && end_ - p > kDigits13 && take_thirteen(p + 1, fraction)) {
+      p += kDigits13 + 1;
+    } else if (*p == '.') {
       int shift = 52;
       for (++p; shift > 0; ++p) {
         const std::uint8_t digit = kDigits[static_cast<unsigned char>(*p)];
@@ -95,6 +105,30 @@ class LineCursor {
   }
 
  private:
+  /// The value of eight hexadecimal digits, the first one the most significant; false where one is none.
+  static bool eight_digits(const char* text, std::uint64_t& value) {
+    constexpr std::uint64_t kOnes = 0x0101010101010101U;
+    std::uint64_t x;
+    std::memcpy(&x, text, sizeof x);
+    const std::uint64_t letters = (x >> 6U) & kOnes;  // of '0' to '9' that bit is 0, of 'a' to 'f' 1
+    const std::uint64_t nibbles = (x & (0x0f * kOnes)) + 9 * letters;
+    const std::uint64_t above_nine = ((nibbles + 6 * kOnes) >> 4U) & kOnes;
+    const bool are_digits =
+        (nibbles & (0xf0 * kOnes)) == 0 && nibbles + '0' * kOnes + ('a' - '0' - 10) * above_nine == x;
+    x = std::endian::native == std::endian::little ? __builtin_bswap64(nibbles) : nibbles;
+    x = (x | (x >> 4U)) & 0x00ff00ff00ff00ffU;
+    x = (x | (x >> 8U)) & 0x0000ffff0000ffffU;
+    value = (x | (x >> 16U)) & 0xffffffffU;
+    return are_digits;
+  }
+  /// A full fraction of a double, the digits of which fifteen in sixteen have.
+  static bool take_thirteen(const char* text, std::uint64_t& fraction) {
+    std::uint64_t first = 0, last = 0;  // eight, and eight of which three are among the first
+    if (!eight_digits(text, first) || !eight_digits(text + 5, last)) return false;
+    fraction = first << 20U | (last & 0xfffffU);
+    return true;
+  }
+  static constexpr std::ptrdiff_t kDigits13 = 13;
   static constexpr std::ptrdiff_t kLongestHex = 26;  // -0x1.13 digits p±9999 and the mark
   static constexpr std::array<std::uint8_t, 256> kDigits = [] {
     std::array<std::uint8_t, 256> values{};
@@ -184,26 +218,39 @@ class OwnSpelling {
     return line_.take("]");
   }
 
-  /// "3":{"position":[…],"velocity":[…]}
-  bool state(int& index, Vec<Number>& position, Vec<Number>& velocity) {
-    return line_.take("\"") && particle(index) && line_.take("\":{\"position\":[\"") && vector(position) &&
-           line_.take(",\"velocity\":[\"") && vector(velocity) && line_.take("}");
+  /// "3":{"position":[…
+  bool beginning(int& index) {
+    return line_.take("\"") && particle(index) && line_.take("\":{\"position\":[\"");
   }
-  /// Those before and those after, of the same particles in the same order.
+  /// …],"velocity":[…]}
+  bool rest(Vec<Number>& velocity) {
+    return line_.take(",\"velocity\":[\"") && vector(velocity) && line_.take("}");
+  }
+  /// Those before and those after, of the same particles in the same order. A position after is nearly always
+  /// spelt as the one before: then it is not read twice.
   bool states(EventLine<Number>& e) {
+    std::array<std::string_view, 2> spelt;
     e.involved.reserve(2);
     do {
+      const std::size_t n = e.involved.size();
       InvolvedParticle<Number>& p = e.involved.emplace_back();
-      if (!state(p.particle, p.position_before.emplace(), p.velocity_before.emplace())) return false;
-      if (e.of(p.particle) != &p) return false;
+      if (!beginning(p.particle)) return false;
+      const char* const place = line_.place();
+      if (!vector(p.position_before.emplace())) return false;
+      if (n < spelt.size()) spelt[n] = {place, static_cast<std::size_t>(line_.place() - place)};
+      if (!rest(p.velocity_before.emplace()) || e.of(p.particle) != &p) return false;
     } while (line_.take(","));
     if (!line_.take("},\"post\":{")) return false;
     for (std::size_t n = 0; n < e.involved.size(); ++n) {
       InvolvedParticle<Number>& p = e.involved[n];
       int index = -1;
-      if ((n > 0 && !line_.take(",")) || !state(index, p.position_after.emplace(), p.velocity_after) ||
-          index != p.particle)
+      if ((n > 0 && !line_.take(",")) || !beginning(index) || index != p.particle) return false;
+      if (n < spelt.size() && line_.take_again(spelt[n])) {
+        p.position_after = p.position_before;
+      } else if (!vector(p.position_after.emplace())) {
         return false;
+      }
+      if (!rest(p.velocity_after)) return false;
     }
     return line_.take("}");
   }
