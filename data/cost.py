@@ -101,18 +101,50 @@ def rows(folder):
                                 for k in range(n)))
         return path
 
+    def page(events):
+        return measured(["view", "-q", run_of(events), "-o", folder / "page.html"])
+
+    def boxed(edges):
+        # Two particles that pass so many edges of a periodic box and never meet.
+        along = {"species": "A", "position": [0, 0, 0], "velocity": [8 * edges / 3, 5.6 * edges / 3, 3.2 * edges / 3]}
+        box = dict(gas(1), duration=1, box={"periodic": [8, 8, 8]}, particles=[along, {"species": "A", "position": [2, 3, 1], "velocity": [0, 0, 0]}])
+        subprocess.run([TPS, "run", "-q", scene("s", box), "-o", trace], check=True, stdout=subprocess.DEVNULL)
+        return trace
+
+    def without_kicks(kicks):
+        # A minimal trace in which gravity never acts.
+        falling = dict(gas(1), duration=1, gravity={"acceleration": [0, 0, -1], "every": 1 / kicks})
+        trace.write_text(json.dumps({"trace": 1, "form": "minimal", "scalar": "double", "scene": falling}) + "\n" + json.dumps({"end": "duration", "t": 1, "events": 0}) + "\n")
+        return trace
+
+    def foreign(bodies):
+        path = folder / "foreign.json"
+        path.write_text(json.dumps({"species": {"a": {"mass": 1, "radius": 0.25}},
+                                    "particles": {str(k): {"position": [k, 0, 0], "velocity": [1, 0, 0], "species": "a"} for k in range(bodies)}}))
+        return path
+
+    def one_request(particles):
+        path = folder / "request"
+        path.write_text(json.dumps({"seq": 1, "op": "next_event", "in": {"scene": gas(particles)}}) + "\n")
+        return path
+
     yield "explain, 200 particles", lambda s: measured(["explain", scene("s", gas(200 * s))])
     yield "explain, 200 particles tethered for ever to each other", lambda s: measured(["explain", scene("s", gas(200 * s, True))])
     yield "explain, 100 species, pairs and phases", lambda s: measured(["explain", scene("s", phased(100 * s))])
     yield "run to the first event, 200 particles", lambda s: measured(["run", "-q", scene("s", gas(200 * s)), "--max-events", 1])
     yield "run, 64 particles, 1000 events", lambda s: measured(["run", "-q", small, "-o", trace, "--max-events", 1000 * s])
     yield "check, 1000 events", lambda s: measured(["check", "-q", run_of(1000 * s)])
+    yield "check, a flight across 100 edges of a periodic box", lambda s: measured(["check", "-q", boxed(100 * s)])
+    yield "check, 100 kicks of gravity missing", lambda s: measured(["check", "-q", without_kicks(100 * s)])
+    yield "view, 1000 events", lambda s: page(1000 * s)
+    yield "import, 100 bodies", lambda s: measured(["import", foreign(100 * s), "-o", folder / "imported.json"])
     yield "run --resume, behind 1000 events", lambda s: measured(["run", "-q", "--resume", run_of(1000 * s), "--max-events", 1000 * s])
     yield "draw, 200 particles", lambda s: measured(["draw", scene("s", gas(200 * s)), "-o", folder / "svg"])
     yield "scene gas, 200 particles", lambda s: measured(["scene", "gas", "--particles", 200 * s])
     yield "vectors verify, 100 cases", lambda s: measured(["vectors", "verify", repeated(folder / "v", lines, 100 * s)])
     yield "vectors requests, 100 cases", lambda s: measured(["vectors", "requests", repeated(folder / "v", lines, 100 * s)])
     yield "serve, 100 requests", lambda s: measured(["serve"], stdin=requests(100 * s))
+    yield "serve, next_event of 10 particles", lambda s: measured(["serve"], stdin=one_request(10 * s))
     yield "properties, 10 cases of each law", lambda s: measured(["properties", "--quiet", "--cases", 10 * s])
 
 

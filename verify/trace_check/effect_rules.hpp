@@ -70,6 +70,9 @@ class EffectRules {
       pass(c);
     }
   }
+  /// Whether so many of its events were passed over at once that the rest is not waited for.
+  bool given_up = false;
+
   /// Whether pass_over(events_in) gets from the start to where it is.
   virtual bool is_whole_in_state(const Context<Number>&) const { return true; }
 };

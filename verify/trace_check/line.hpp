@@ -80,7 +80,9 @@ struct EndLine {
   std::string reason;
   std::uint64_t events;
   Instant<Number> t;           ///< of the run's clock
-  std::optional<double> time;  ///< under drag
+  std::optional<double> time;  ///< under drag, of the last event or state
+  std::optional<Instant<Number>>
+      duration;  ///< under drag, of a run that ends by its duration: since the start
 };
 
 template <typename Number>

@@ -92,8 +92,11 @@ class LineReading<Number>::Json : private EventReading<Number> {
     EndLine<Number> end{std::string(text(reason, Pointer{&kLine, "end"})),
                         count(events, Pointer{&kLine, "events"}),
                         has_s ? clock(s, Pointer{&kLine, "s"}) : instant(t, Pointer{&kLine, "t"}),
+                        {},
                         {}};
-    if (has_s) end.time = time(t, Pointer{&kLine, "t"});
+    // The end of a duration is start_time + duration exactly, which a double may not hold.
+    if (has_s && end.reason == "duration") end.duration = instant(t, Pointer{&kLine, "t"});
+    if (has_s && end.reason != "duration") end.time = time(t, Pointer{&kLine, "t"});
     if (std::find(reasons.begin(), reasons.end(), end.reason) == reasons.end()) {
       problem("end", fmt::format("\"{}\" is no reason; allowed are {}", end.reason.substr(0, 60),
                                  fmt::join(reasons, ", ")));

@@ -44,11 +44,11 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
 template <typename Number>
 void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
   const Scene& scene = c.model.scene;
-  if (!scene.drag || !end.time) return;
-  if (end.reason != "duration") return judge_drag_time(c, Rule::end, end.t, end.time);
+  if (!scene.drag) return;
+  if (!end.duration) return judge_drag_time(c, Rule::end, end.t, end.time);
   if (c.minimal) return;
   const double gamma = scene.drag->gamma;
-  const Dyadic duration = dyadic(*end.time) - dyadic(scene.start_time);
+  const Dyadic duration = lifted(*end.duration);
   const auto s = static_cast<double>(end.t.hi);
   const double above = c.model.precision.digits < std::numeric_limits<double>::digits
                            ? static_cast<double>(std::nextafter(static_cast<float>(s), HUGE_VALF))
@@ -62,8 +62,8 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
       Rule::end,
       lifted(end.t).sign() > 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
       [&](Finding& f) {
-        f.message =
-            fmt::format("the clock s = {:.17g} is not the last one before the end at {:.17g}", s, *end.time);
+        f.message = fmt::format("the clock s = {:.17g} is not the last one before the end after {}", s,
+                                shown(Work<Number>(end.duration->hi), 17));
       });
 }
 

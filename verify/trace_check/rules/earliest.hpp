@@ -7,6 +7,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/bounds.hpp"
 #include "verify/trace_check/rules/direction.hpp"
+#include "verify/trace_check/rules/images_on_the_way.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 
 namespace tps::check {
@@ -201,37 +202,6 @@ Asked judge_limit(const Context<Number>& c, const LimitFlight<Number>& flight, b
   return result;
 }
 
-/// The images of j that i can have come near to within `reach` during a flight, by each axis for itself;
-/// nothing else than j itself without a periodic box.
-template <typename Number>
-std::vector<Vec<Number>> images_on_the_way(const Model<Number>& model, int i, int j, const Work<Number>& dt,
-                                           const Work<Number>& reach) {
-  using std::ceil;
-  using std::floor;
-  using W = Work<Number>;
-  std::vector<Vec<Number>> images = {Vec<Number>{}};
-  if (!model.edges) return images;
-  const PairFlight<Number> pair = pair_flight(model, i, j);
-  const RelativeFlight<W> flight = pair.relative();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const W edge((*model.edges)[k]);
-    if (edge == W(0)) continue;
-    const W from = flight.r[k], to = flight.r[k] + dt * flight.v[k];
-    const W wide = reach + edge / W(64);  // for rounding of places
-    const W first = ceil(W((-wide - std::max(from, to)) / edge));
-    const W last = floor(W((wide - std::min(from, to)) / edge));
-    std::vector<Vec<Number>> more;
-    for (W n = first; n <= last; n += W(1)) {
-      for (Vec<Number> image : images) {
-        image[k] = Number(n);
-        more.push_back(image);
-      }
-    }
-    images = std::move(more);
-  }
-  return images;
-}
-
 /// Judges the flight of a pair, i < j, until a moment, at both limits but the one that is happening; in a
 /// periodic box with every image on the way. A tether holds the image that is nearest at the start.
 template <typename Number>
@@ -260,7 +230,9 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
   const Vec<Number> met = happening.is(i, j, false) ? model.nearest_image(i, j, happening.t) : Vec<Number>{};
   if (rules.blocks) {
     const bool responded = model.responded(i, j, false);
-    for (const Vec<Number>& image : images_on_the_way(model, i, j, dt, W(rules.inner))) {
+    const auto images = images_on_the_way(model, i, j, dt, W(rules.inner));
+    if (!images) c.tally.not_judged(Rule::earliest, kTooManyImages);
+    for (const Vec<Number>& image : images.value_or(std::vector<Vec<Number>>{})) {
       const bool happens = happening.is(i, j, false) && image == met;
       judge(pair_flight(model, i, j, image), {false, W(rules.inner), responded && model.edges.has_value()},
             !happens && (!responded || model.edges));

@@ -31,6 +31,10 @@ Turn<Number> turn_of(const Context<Number>& c, const EffectRules<Number>& effect
   return known_turn(c, known_time<Number>(ahead.at, c.model.precision), effect.rank());
 }
 
+/// Events of one effect that are missing at one place of a trace: more are no longer waited for, since a
+/// scene can have any number of them between two events.
+constexpr int kMostPassedOver = 1000;
+
 /// What is known in advance and has been passed over by something. `is_due(turn, error)` decides, where the
 /// times concerned may be off by `error`; what is found is not waited for any more. What happens is the next
 /// event of `now` itself, null where it is no effect's; a body that parts is `parting`.
@@ -54,7 +58,8 @@ void judge_waiting(const Context<Number>& c, const EffectRules<Number>* now, con
     model.groups.stop_waiting_for(body);
   }
   for (const auto& effect : model.effects) {
-    if (effect.get() == now) continue;
+    if (effect.get() == now || effect->given_up) continue;
+    int passed_over = 0;
     for (auto ahead = effect->next(c); ahead; ahead = effect->next(c)) {
       const Turn<Number> turn = turn_of(c, *effect, *ahead);
       if (!is_due(turn, c.minimal ? c.time_error(turn.t) : W(0))) break;
@@ -63,6 +68,12 @@ void judge_waiting(const Context<Number>& c, const EffectRules<Number>* now, con
             fmt::format("the {} of time {} has not happened yet", effect->what(), c.shown_time(turn.t));
       });
       effect->pass(c);
+      if (++passed_over < kMostPassedOver) continue;
+      effect->given_up = true;
+      c.tally.not_judged(Rule::earliest,
+                         fmt::format("every {} after {}, of which {} in a row have not happened",
+                                     effect->what(), c.shown_time(turn.t), kMostPassedOver));
+      break;
     }
   }
 }
