@@ -1,5 +1,9 @@
 #include "reference/run/next_event.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "reference/engine/simulation.hpp"
@@ -8,6 +12,19 @@
 
 namespace tps {
 namespace {
+
+/// Images of each other that pairs may pass before a search for an event in a periodic box is given up.
+constexpr double kMostImages = 1e7;
+
+/// How long all pairs together take to pass so many images: each passes one whenever two particles have
+/// crossed an edge between them.
+double longest_search(const Scene& scene) {
+  double crossings = 0;  // a unit of time, of all particles
+  for (const Particle& p : scene.particles) {
+    for (std::size_t k = 0; k < 3; ++k) crossings += std::abs(p.velocity[k]) / scene.box->edges[k];
+  }
+  return kMostImages / (crossings * static_cast<double>(scene.particles.size()));
+}
 
 template <int D>
 NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
@@ -24,13 +41,21 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
       event.tether = record.tether == TetherChange::formed ? "formed" : "broken";
   };
   // In a periodic box something may always lie ahead.
-  const double until = scene.box ? scene.duration : std::numeric_limits<double>::infinity();
+  const double until =
+      scene.box ? std::min(scene.duration, longest_search(scene)) : std::numeric_limits<double>::infinity();
   const Time<double> last = clock_until<double>(scene, until);
   simulation.set_horizon(last);
   if (const auto who = simulation.beyond_every_time())
     throw OutOfRange("the time of the next event of " + *who);
   const Time<double> next = simulation.next_time();
-  if (next != Time<double>::never() && next <= last) simulation.step();
+  const bool happens = next != Time<double>::never() && next <= last;
+  if (!happens && scene.box && until < scene.duration)
+    throw InputError(
+        {{"scene", 0, "",
+          fmt::format("in the periodic box nothing happens until {:.6g} after the start, by when pairs "
+                      "have passed {:.0e} of their images; no farther is looked: give a duration below that",
+                      until, kMostImages)}});
+  if (happens) simulation.step();
   if (scene.drag && event.dt) event.dt = drag_time(scene.drag->gamma, whole(world.now), 0);
   const double unit = scene.drag ? nearest<double>(drag_factor(scene.drag->gamma, whole(world.now))) : 1;
   for (int i = 0; i < world.size(); ++i) {

@@ -24,8 +24,9 @@ struct NextEvent {
   std::vector<State> state;          ///< of all particles at the instant of the event, after it
 };
 
-/// Simulates one event, in double. The scene's duration does not matter: it limits runs.
-/// Throws InputError where a number of it leaves the range of a double.
+/// Simulates one event, in double. The scene's duration does not matter, since it limits runs; but in a
+/// periodic box, where something may always lie ahead, nothing is looked for behind it. Throws InputError
+/// where pairs pass 10⁷ images in a box and nothing happens, or where a time leaves the range of double.
 NextEvent next_event(const Scene& scene, const TimingChoice& timing = {});
 
 }  // namespace tps

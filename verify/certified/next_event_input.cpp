@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "reference/engine/effect_facts.hpp"
+
 namespace tps::certified {
 namespace {
 
@@ -87,20 +89,17 @@ class Limits {
 }  // namespace
 
 std::optional<std::string> not_certified(const Scene& scene) {
-  if (!scene.phases.empty()) return "phases";
-  if (!scene.impulses.empty()) return "impulses";
-  if (scene.gravity) return "gravity";
-  if (scene.drag) return "drag";
-  if (!scene.walls.empty()) return "walls";
-  if (scene.box) return "a periodic box";
-  for (const Species& species : scene.species) {
-    if (species.random_impulses || species.thermostat) return "kicks at random times";
+  constexpr std::string_view of_the_paper[] = {"rebound", "tethering", "grouping"};
+  for (const EffectFacts& effect : effect_facts(scene)) {
+    if (effect.called &&
+        std::find(std::begin(of_the_paper), std::end(of_the_paper), effect.name) == std::end(of_the_paper))
+      return effect.name;
   }
   const bool draws = std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairLaw& law) {
     return law.tethering && (law.tethering->form.when == FormRule::When::probability ||
                              law.tethering->breaks.when == BreakRule::When::probability);
   });
-  if (draws) return "a rule with a probability";
+  if (draws) return "rule with a probability";
   return std::nullopt;
 }
 

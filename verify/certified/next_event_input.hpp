@@ -12,8 +12,9 @@ namespace tps::certified {
 /// So many particles are half a million pairs, each asked exactly.
 constexpr std::size_t kMostParticles = 1000;
 
-/// What of the scene keeps its next event from being certified, in words: phases, impulses from outside,
-/// rules with a probability. Absent where nothing does.
+/// What of the scene keeps its next event from being certified: the name of an effect that it calls for and
+/// that is none of the paper's three (rebound, tethering, grouping), or a rule with a probability. Absent
+/// where nothing does.
 std::optional<std::string> not_certified(const Scene& scene);
 
 /// The particles in the order of ids, and every limit of theirs, blocking before tethering of one pair. Takes

@@ -16,9 +16,9 @@ const std::vector<std::string>& operation_names();
 /// The result of an operation as the text of a JSON object, numbers as hexadecimal floats.
 ///
 /// Every number is the correct rounding of the real one that the stored doubles define, unless the answer is
-/// flagged: "unsettled" where 2^14 bits do not tell it, "simulated" where `next_event` has phases, impulses
-/// or draws to follow. `source` and `pointer` say in messages where `in` stands. REQUIRES one of
-/// operation_names(). Throws InputError with what is wrong with `in`.
+/// flagged: "unsettled" where 2^14 bits do not tell it, "simulated" where a scene of `next_event` calls for
+/// more effects than rebound, tethering and grouping or draws. `source` and `pointer` say in messages where
+/// `in` stands. REQUIRES one of operation_names(). Throws InputError with what is wrong with `in`.
 std::string answer(std::string_view operation, const JsonValue& in, const std::string& source,
                    const std::string& pointer);
 
