@@ -53,7 +53,7 @@ void add_brought_effects(std::vector<std::unique_ptr<Effect<Scalar, D>>>& called
     if (call.because.empty()) continue;
     if (n >= makers.size() || makers[n] == nullptr)
       throw InputError({{"", 0, "",
-                         "the scene calls for " + call.name + " by " + call.because.front() +
+                         "the scene calls for " + call.name + " by " + call.because.front().what +
                              ", which this program has in other scalars or dimensions only; choose one of "
                              "them, as by --scalar double"}});
     called.push_back(makers[n](scene));

@@ -27,10 +27,15 @@ namespace tps {
 template <typename Scalar, int D>
 class World;
 
-/// "species A - species B", as a place of a scene.
-inline std::string between(const Scene& scene, const PairLaw& pair) {
+/// A law of the scene, "species A - species B", as a place of it.
+inline CallingPlace between(const Scene& scene, const PairLaw& pair) {
   const auto& name_of = [&](int species) { return scene.species[static_cast<std::size_t>(species)].name; };
-  return name_of(pair.species_a) + " - " + name_of(pair.species_b);
+  return {name_of(pair.species_a) + " - " + name_of(pair.species_b),
+          "/pairs/" + std::to_string(&pair - scene.pairs.data())};
+}
+/// A key of the scene as a place of it.
+inline CallingPlace key_of_scene(const std::string& key) {
+  return {"\"" + key + "\"", "/" + key};
 }
 
 /// How many pairs of particles follow a law that satisfies the condition.

@@ -6,13 +6,19 @@
 
 namespace tps {
 
+/// A place of a scene that calls for an effect.
+struct CallingPlace {
+  std::string what;     ///< for people
+  std::string pointer;  ///< JSON pointer from the scene
+};
+
 /// Whether a scene calls for an effect, for people: `tps explain`.
 struct EffectCall {
   std::string name;
-  std::string what;                  ///< in a few words, with its equations
-  std::vector<std::string> because;  ///< places of the scene that call for it; empty: not simulated
-  std::string called_by;             ///< what in a scene would call for it
-  std::string cost;                  ///< what it adds to the run, in particles, pairs, events
+  std::string what;                   ///< in a few words, with its equations
+  std::vector<CallingPlace> because;  ///< what of the scene calls for it; empty: not simulated
+  std::string called_by;              ///< what in a scene would call for it
+  std::string cost;                   ///< what it adds to the run, in particles, pairs, events
 };
 
 }  // namespace tps

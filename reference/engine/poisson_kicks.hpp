@@ -12,6 +12,7 @@
 #include "reference/engine/outside_impulse.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/scene/random_kicks.hpp"
+#include "reference/text/json_pointer.hpp"
 
 namespace tps {
 
@@ -81,12 +82,13 @@ class PoissonKicks : public Effect<Scalar, D> {
 
 /// "species A", of those that call for an effect.
 template <typename Calls>
-std::vector<std::string> species_that(const Scene& scene, Calls calls) {
-  std::vector<std::string> names;
+std::vector<CallingPlace> species_that(const Scene& scene, Calls calls) {
+  std::vector<CallingPlace> places;
   for (const Species& species : scene.species) {
-    if (calls(species)) names.push_back("species " + species.name);
+    if (calls(species))
+      places.push_back({"species " + species.name, "/species/" + escape_pointer_key(species.name)});
   }
-  return names;
+  return places;
 }
 
 /// How many particles are of species that call for an effect.

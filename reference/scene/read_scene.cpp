@@ -1,5 +1,7 @@
 #include "reference/scene/read_scene.hpp"
 
+#include <utility>
+
 #include "reference/scene/check_scene.hpp"
 #include "reference/scene/scene_key.hpp"
 #include "reference/scene/scene_sections.hpp"
@@ -29,10 +31,16 @@ Scene read_document(JsonDocument document) {
 
 }  // namespace
 
-Scene read_scene_file(const std::string& path) {
+SceneFile read_scene_with_places(const std::string& path) {
   const std::string text = read_text_file(path, kSceneLimits.max_bytes, too_large_remedy);
   refuse_other_kinds(text, display_name(path), "a scene", {FileKind::scene});
-  return read_document(parse_json(text, display_name(path), kSceneLimits));
+  JsonDocument document = parse_json(text, display_name(path), kSceneLimits);
+  Scene scene = read_value(document.root, "", document.problems);
+  return {std::move(scene), std::move(document.root)};
+}
+
+Scene read_scene_file(const std::string& path) {
+  return read_scene_with_places(path).scene;
 }
 
 Scene read_scene_text(std::string_view text, const std::string& name) {

@@ -23,6 +23,13 @@ inline constexpr JsonLimits kSceneLimits{std::size_t{256} << 20, 64, 1000, 16'00
 /// starts of particles whose species is misspelt) is left for the next attempt.
 Scene read_scene_file(const std::string& path);
 
+/// The same with the document, whose values know their lines.
+struct SceneFile {
+  Scene scene;
+  JsonValue document;
+};
+SceneFile read_scene_with_places(const std::string& path);
+
 /// The same for a text; `name` is what messages call it.
 Scene read_scene_text(std::string_view text, const std::string& name);
 

@@ -148,7 +148,7 @@ inline std::shared_ptr<const SceneSection> read_turns(const JsonValue& value, co
 struct turns {
   static EffectCall call(const Scene& scene) {
     EffectCall call{"turns", "velocities turned by a right angle at given times", {}, "\"turns\"", {}};
-    if (!turns_of(scene).empty()) call.because.push_back("\"turns\"");
+    if (!turns_of(scene).empty()) call.because.push_back(key_of_scene("turns"));
     call.cost = std::to_string(turns_of(scene).size()) + " events";
     return call;
   }

@@ -49,7 +49,7 @@ class Trial:
 
 def explained(t):
     _, text, _ = t.call("explain", "scene.json")
-    t.expect('turns: velocities turned by a right angle at given times\n  because  "turns"\n  cost     7 events\n' in text, "explain does not tell of turns")
+    t.expect('turns: velocities turned by a right angle at given times\n  because  "turns" (line 1)\n  cost     7 events\n' in text, "explain does not tell of turns")
     t.expect(text.index("\nturns:") > text.index("\nwalls:"), "turns do not stand behind the effects of the catalogue")
     _, text, _ = t.call("explain", "without.json")
     t.expect('  turns: the scene has no "turns"\n' in text, "explain does not say that turns are not called for")

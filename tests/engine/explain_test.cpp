@@ -24,10 +24,12 @@ TEST(Explain, SaysOnWhichSideOfAWallParticlesAre) {
   }
   const std::vector<EffectCall> calls = explain(scene).effects;
   const auto walls = std::ranges::find(calls, "walls", &EffectCall::name);
-  EXPECT_EQ(walls->because,
-            (std::vector<std::string>{"wall 0 (plane)", "wall 1 (plane)", "wall 2 (inside of a sphere)",
-                                      "wall 3 (outside of a sphere)", "wall 4 (inside of a box)",
-                                      "wall 5 (outside of a box)"}));
+  std::vector<std::string> places;
+  for (const CallingPlace& place : walls->because) places.push_back(place.what);
+  EXPECT_EQ(walls->because.back().pointer, "/walls/5");
+  EXPECT_EQ(places, (std::vector<std::string>{"wall 0 (plane)", "wall 1 (plane)",
+                                              "wall 2 (inside of a sphere)", "wall 3 (outside of a sphere)",
+                                              "wall 4 (inside of a box)", "wall 5 (outside of a box)"}));
 }
 
 }  // namespace

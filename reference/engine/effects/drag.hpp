@@ -111,7 +111,7 @@ class Drag final : public Effect<Scalar, D> {
 struct drag {
   static EffectCall call(const Scene& scene) {
     EffectCall call{"drag", "dv/dt = -γ v: straight paths in s = (1 - exp(-γ t)) / γ", {}, "\"drag\"", {}};
-    if (scene.drag) call.because.push_back("\"drag\"");
+    if (scene.drag) call.because.push_back(key_of_scene("drag"));
     call.cost = "no event; a logarithm an event for the printed time";
     return call;
   }

@@ -92,7 +92,7 @@ class GravityKicks final : public Effect<Scalar, D> {
 struct gravity {
   static EffectCall call(const Scene& scene) {
     EffectCall call{"gravity", "impulses m g δ on every finite mass, every δ", {}, "\"gravity\"", {}};
-    if (scene.gravity) call.because.push_back("\"gravity\"");
+    if (scene.gravity) call.because.push_back(key_of_scene("gravity"));
     call.cost = "an event every δ, which predicts every pair again";
     return call;
   }

@@ -61,7 +61,7 @@ struct grouping {
   static EffectCall call(const Scene& scene) {
     EffectCall call{
         "grouping", "nearly simultaneous collisions act on groups, eqs. 6-7", {}, "\"grouping\"", {}};
-    if (scene.grouping) call.because.push_back("\"grouping\"");
+    if (scene.grouping) call.because.push_back(key_of_scene("grouping"));
     call.cost = "a load and a restitution a collision, each on all particles of a group";
     return call;
   }

@@ -31,7 +31,7 @@ struct periodic_box {
     EffectCall call{"periodic_box", "pairs meet by their nearest images", {}, "\"box\"", {}};
     call.cost = "an image at each question of a pair";
     if (!scene.box) return call;
-    call.because.push_back("\"box\"");
+    call.because.push_back(key_of_scene("box"));
     call.cost += RegionPlan::of<double>(scene, {}).fits_into(*scene.box, scene.dimension)
                      ? "; cells go round it, from 16 particles on"
                      : "; all pairs are asked, as the box is too narrow for cells";

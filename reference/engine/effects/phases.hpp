@@ -94,7 +94,7 @@ class Phases final : public Effect<Scalar, D> {
 struct phases {
   static EffectCall call(const Scene& scene) {
     EffectCall call{"phases", "other tether rules for a pair of species for a while", {}, "\"phases\"", {}};
-    if (!scene.phases.empty()) call.because.push_back("\"phases\"");
+    if (!scene.phases.empty()) call.because.push_back(key_of_scene("phases"));
     call.cost = std::to_string(scene.phases.size()) + " windows, at most two events each";
     return call;
   }

@@ -61,7 +61,7 @@ class ScheduledImpulses final : public Effect<Scalar, D> {
 struct scheduled_impulses {
   static EffectCall call(const Scene& scene) {
     EffectCall call{"scheduled_impulses", "impulses from outside at given times", {}, "\"impulses\"", {}};
-    if (!scene.impulses.empty()) call.because.push_back("\"impulses\"");
+    if (!scene.impulses.empty()) call.because.push_back(key_of_scene("impulses"));
     call.cost = std::to_string(scene.impulses.size()) + " events";
     return call;
   }

@@ -152,8 +152,9 @@ struct walls {
       const char* side = wall.shape == Wall::Shape::plane ? ""
                          : wall.inside                    ? "inside of a "
                                                           : "outside of a ";
-      call.because.push_back("wall " + std::to_string(n) + " (" + side +
-                             names[static_cast<std::size_t>(wall.shape)] + ")");
+      call.because.push_back(
+          {"wall " + std::to_string(n) + " (" + side + names[static_cast<std::size_t>(wall.shape)] + ")",
+           "/walls/" + std::to_string(n)});
     }
     const auto moves = [&](const Particle& p) {
       return scene.species[static_cast<std::size_t>(p.species)].mass <
