@@ -18,6 +18,7 @@ build_webassembly
 [[ ${1-} == --webassembly ]] && exit
 python3 site/assemble.py build/site-sources build/wasm build/release/tps
 mkdocs --quiet build --clean --config-file site/mkdocs.yml --site-dir "$PWD/build/site"
+rm -f build/site/sitemap.xml*  # of addresses, which a folder of files has not
 say "open build/site/index.html"
 if [[ ${1-} == --serve ]]; then
   port=${2-8000}

@@ -84,7 +84,10 @@ tpsLive.relativePath = function ({ events }) {
   const reach = Math.max(...points.flat().map(Math.abs), 1e-300) * 1.15;
   const to = ([x, y]) => [x / reach * 100, -y / reach * 100];
   const element = svg('svg', { viewBox: '-105 -105 210 210', class: 'tps-diagram', role: 'img', 'aria-label': 'The path of B about A' });
-  element.append(svg('circle', { cx: 0, cy: 0, r: Math.hypot(...to(points[0] || [0, 0])), class: 'tps-circle' }), svg('circle', { cx: 0, cy: 0, r: 3, class: 'tps-A' }),
+  // The outer distance, and the inner one where it is met.
+  const met = [0, events.findIndex((e) => e.kind === 'rebound')].filter((n) => points[n]);
+  for (const n of met) element.append(svg('circle', { cx: 0, cy: 0, r: Math.hypot(...to(points[n])), class: 'tps-circle' }));
+  element.append(svg('circle', { cx: 0, cy: 0, r: 3, class: 'tps-A' }),
     svg('polyline', { points: points.map((p) => to(p).join(',')).join(' '), class: 'tps-world', stroke: tpsLive.colours[1], 'stroke-width': 1 }));
   for (const p of points) element.append(svg('circle', { cx: to(p)[0], cy: to(p)[1], r: 1.8, class: 'tps-hit' }));
   return element;

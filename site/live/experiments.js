@@ -102,11 +102,12 @@ tpsLive.experiments.revolution = class extends tpsLive.Experiment {
     const speed = (e, which) => Math.hypot(...e[which][e.j].velocity.map((v, k) => v - e[which][e.i].velocity[k]));
     const turn = 180 / this.values.theta;
     const events = trace.events.filter((e) => e.kind === 'revolve');
+    const rebounds = trace.events.filter((e) => e.kind === 'rebound').length;
     const speeds = events.map((e) => speed(e, 'post'));
-    const whole = Number.isInteger(turn) && events.length >= turn;
-    this.says.textContent = `${events.length} revolutions drawn; the relative speed goes from ${tpsLive.short(speed(events[0], 'pre'))} over ${speeds.slice(0, 6).map(tpsLive.short).join(', ')}${speeds.length > 6 ? ' …' : ''}` +
-      (whole ? `; after the ${turn} collisions of a whole turn it is ${tpsLive.short(speeds[turn - 1] / speed(events[0], 'pre'))} of what it was, and c_revolve is ${this.values.c}.` : '; a whole turn is no whole number of them.');
-    this.picture.replaceChildren(tpsLive.relativePath({ ...trace, events }));
+    const whole = Number.isInteger(turn) && events.length >= turn && rebounds === 0;
+    this.says.textContent = `${events.length} revolutions drawn${rebounds ? `, and ${rebounds} rebounds between them: so steep a way leads through the inner distance` : ''}; the relative speed goes from ${tpsLive.short(speed(events[0], 'pre'))} over ${speeds.slice(0, 6).map(tpsLive.short).join(', ')}${speeds.length > 6 ? ' …' : ''}` +
+      (rebounds ? '.' : whole ? `; after the ${turn} collisions of a whole turn it is ${tpsLive.short(speeds[turn - 1] / speed(events[0], 'pre'))} of what it was, and c_revolve is ${this.values.c}.` : '; a whole turn is no whole number of them.');
+    this.picture.replaceChildren(tpsLive.relativePath(trace));
     this.picture.firstChild.style.maxWidth = '22rem';
   }
 };

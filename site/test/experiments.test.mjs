@@ -52,6 +52,11 @@ test("Galperin's billiard counts digits of π", async () => {
 test("the paper's revolution: 45°, 0.5, four collisions", async () => {
   await says('revolution', {}, 'after the 4 collisions of a whole turn it is 0.5 of what it was');
   await says('revolution', { theta: 30, c: 0.8 }, 'after the 6 collisions of a whole turn it is 0.8 of what it was');
+  // A steep way leads through the inner distance: what happens there is drawn, too.
+  const place = await says('revolution', { theta: 75, c: 0.8 }, 'rebounds between them');
+  const [, revolutions, rebounds] = /^(\d+) revolutions drawn, and (\d+) rebounds/.exec(await place.locator('.tps-says').textContent());
+  assert.equal(await place.locator('svg .tps-hit').count(), Number(revolutions) + Number(rebounds));
+  assert.equal(await place.locator('svg .tps-circle').count(), 2);
 });
 
 test('grouping: two loads, then two restitutions from the root', async () => {

@@ -38,6 +38,7 @@ std::string describe(Range range, bool integer) {
   if (range.most == std::numeric_limits<double>::infinity()) {
     return fmt::format("{} {}{}", kind, least, integer ? "" : ", or inf");
   }
+  if (range.most == std::numeric_limits<double>::max()) return fmt::format("{} {}", kind, least);
   return fmt::format("{} {} to {}", kind, least, describe(range.most));
 }
 

@@ -35,6 +35,11 @@ constexpr Range above(double least, double most = std::numeric_limits<double>::i
   return {least, most, false};
 }
 
+/// least < x < ∞
+constexpr Range finite_above(double least) {
+  return above(least, std::numeric_limits<double>::max());
+}
+
 /// One line of a scene's table: the parameter `member` of Params is the option `--name`.
 template <typename Params>
 struct Field {

@@ -20,7 +20,7 @@ SceneBuilder sediment_builder() {
        {"density", &P::density, from_to(1e-6, 1), "spheres over the volume of the membrane"},
        {"temperature", &P::temperature, from_to(1e-6, 1e6), "kT of the start velocities and the thermostat"},
        {"gravity", &P::gravity, from_to(1e-6, 1e6), "acceleration along -z"},
-       {"every", &P::every, above(0), "time between two impulses of gravity"},
+       {"every", &P::every, finite_above(0), "time between two impulses of gravity"},
        {"restitution", &P::restitution, from_to(0, 1), "c_rebound of two spheres"},
        {"tau", &P::tau, from_to(0, 1e6),
         "mean time of a sphere between two thermostat events; 0: no thermostat"},

@@ -135,10 +135,12 @@ void add_vectors_options(CLI::App* verb, int& exit_code) {
   CLI::App* listing =
       verb->add_subcommand("list", "Lists the strata: operation, name, committed cases, aim.");
   add_selection(*listing, *selection);
+  listing->footer("Example: tps vectors list --op block_time");
   listing->callback([selection] { list_strata(*selection); });
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* requesting = verb->add_subcommand("requests", "Writes the cases as requests of the protocol.");
   requesting->add_option("files", *files, "Known-answer files, - for standard input")->required();
+  requesting->footer("Example: tps vectors requests data/vectors/order.twins.jsonl | ./my-program");
   requesting->callback([files] { write_requests(*files); });
 }
 
