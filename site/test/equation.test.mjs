@@ -70,6 +70,7 @@ test('by keyboard alone: a handle moves by the arrow keys, a number can be typed
 
 test('hard cases are of every stratum that equations 2 to 5 have', async () => {
   const { page } = await open(browser, path.join(site, 'eq5.html'));
+  await ready(page);
   const strata = await page.evaluate(() => Object.fromEntries(Object.entries(window.tpsCases).map(([op, cases]) => [op, [...new Set(cases.map((c) => c.id.split('.')[1]))]])));
   for (const op of ['block_time', 'tether_time', 'collision_impulse', 'tether_response', 'revolution_impulse']) {
     const files = fs.readdirSync(path.join(root, 'data/vectors')).filter((name) => name.startsWith(`${op}.`)).map((name) => name.split('.')[1]);

@@ -123,7 +123,7 @@ test('events that form or break a tether can be picked out', async () => {
   assert.equal(run('view', trace, '-q', '-o', file('tethers.html')).status, 0);
   const { page, wrong } = await open(browser, file('tethers.html'));
   const events = fs.readFileSync(trace, 'utf8').split('\n').filter((l) => l.startsWith('{"k"')).map((l) => JSON.parse(l));
-  const counts = { formed: events.filter((e) => e.formed === true).length, broken: events.filter((e) => e.formed === false).length };
+  const counts = { formed: events.filter((e) => e.tether === 'formed').length, broken: events.filter((e) => e.tether === 'broken').length };
   let shown = 0;
   for (const [name, count] of Object.entries(counts)) {
     assert.ok(count > 0, `no tether is ${name}`);
