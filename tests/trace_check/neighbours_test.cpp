@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "reference/scene/pair_law.hpp"
 #include "reference/scene/scene.hpp"
@@ -86,7 +87,8 @@ Followed follow(const Scene& scene, double speed, int length = 0, double start =
   };
   Followed followed;
   const auto look = [&](int i, double now) {
-    const std::vector<int> near = neighbours.near(i);
+    const std::span<const int> found = neighbours.near(i);
+    const std::vector<int> near(found.begin(), found.end());
     ++followed.asked;
     followed.looked_at += static_cast<int>(near.size());
     const Flying& f = all[static_cast<std::size_t>(i)];

@@ -108,7 +108,7 @@ class Checker {
   void judge_left(const Instant<Number>& end, std::vector<LeftWaiting>& left);
 
   std::vector<int> changing(const EventLine<Number>& event) const;
-  void follow(const EventLine<Number>& event);
+  void follow(const EventLine<Number>& event, const std::vector<int>& changed);
   void follow_load(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
   W speeds_of(int i, int j) const;

@@ -81,8 +81,7 @@ void Checker<Number>::follow_restitution(const EventLine<Number>& event) {
 
 /// Takes over what the event says happened, whatever the rules think of it.
 template <typename Number>
-void Checker<Number>::follow(const EventLine<Number>& event) {
-  const std::vector<int> changed = changing(event);
+void Checker<Number>::follow(const EventLine<Number>& event, const std::vector<int>& changed) {
   if (event.k) model_.events = *event.k - 1;
   ++model_.events;
   if (reading(event.t, model_.precision) != reading(model_.now, model_.precision)) {

@@ -232,6 +232,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   if (event.kind == Kind::wall) judge_wall_rebound(c, event);
   if (const EffectRules<Number>* effect = model_.effect_of(event.kind)) effect->judge(c, event);
 
+  const std::vector<int> changed = changing(event);
   earliest_held_ = bounds_held_ = true;
   if (!(event.t < model_.now)) {
     Happening<Number> happening;
@@ -246,7 +247,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
       happening.wall = model_.wall_of(event);
     }
     renew_anchors(event.t, happening);
-    for (const int i : changing(event)) {
+    for (const int i : changed) {
       judge_meetings(i, event.t, happening);
       judge_at_walls(i, event.t, happening);
     }
@@ -254,7 +255,7 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   if (earliest_held_) tally_.pass(Rule::earliest);
   if (bounds_held_) tally_.pass(Rule::bounds);
 
-  follow(event);
+  follow(event, changed);
   judge_progress(c, event);
 }
 

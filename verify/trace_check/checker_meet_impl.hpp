@@ -1,6 +1,8 @@
 // How Checker finds out which pairs can have met, and asks each. Included by the instantiating sources only.
 #pragma once
 
+#include <span>
+
 #include "verify/trace_check/checker.hpp"
 #include "verify/trace_check/quiet.hpp"
 
@@ -63,7 +65,7 @@ double Checker<Number>::longer(const Instant<double>& until) const {
 template <typename Number>
 bool Checker<Number>::is_clear(const FirstLook& look, int i, int j, const Instant<double>& until) const {
   const PairRules<Number>& rules = model_.rules.of(i, j);
-  const bool tethered = model_.tethered(i, j);
+  const bool tethered = rules.can_tether && model_.tethered(i, j);
   if (!rules.blocks && !tethered) return true;
   return look.is_clear(model_.flight_in_doubles(j).until(until, longer(until)),
                        {rules.blocks ? static_cast<double>(rules.inner) : -1.0,
@@ -100,7 +102,9 @@ void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
   const auto judge = [&](int j) {
     if (!look || !is_clear(*look, i, j, end)) ask(i, j, until, happening);
   };
-  for (const int j : neighbours_.near(i)) judge(j);
+  const std::span<const int> near = neighbours_.near(i);
+  for (const int j : near) __builtin_prefetch(&model_.flight_in_doubles(j));
+  for (const int j : near) judge(j);
   for (const int j : model_.tethers[Model<Number>::at(i)]) judge(j);
   if (neighbours_.is_near_everybody(i)) return;
   std::optional<Agenda>& agenda = agendas_[Model<Number>::at(i)];

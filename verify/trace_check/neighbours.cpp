@@ -45,13 +45,29 @@ double spacing(const Scene& scene, const std::vector<int>& particles) {
   return 2 * side;
 }
 
-template <typename List, typename IsMeant>
-void take_out(List& list, IsMeant is_meant) {
-  *std::find_if(list.begin(), list.end(), is_meant) = list.back();
-  list.pop_back();
+}  // namespace
+
+void Neighbours::Bucket::add(const Member& member) {
+  if (count < kHere) {
+    here[count] = member;
+  } else {
+    more.push_back(member);
+  }
+  ++count;
 }
 
-}  // namespace
+void Neighbours::Bucket::remove(int particle) {
+  const auto at = [this](std::size_t n) -> Member& { return n < kHere ? here[n] : more[n - kHere]; };
+  std::size_t place = 0;
+  while (at(place).particle != particle) ++place;
+  --count;
+  at(place) = at(count);
+  if (count < kHere) {
+    here[count] = kNobody;
+  } else {
+    more.pop_back();
+  }
+}
 
 Neighbours::Neighbours(const Scene& scene, double u)
     : dimension_(scene.dimension),
@@ -136,10 +152,11 @@ void Neighbours::fit_cells_to_box(const Scene& scene) {
 
 void Neighbours::remove(int i) {
   Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (anchor.loose) take_out(loose_, [i](int other) { return other == i; });
-  if (anchor.placed) {
-    take_out(bucket(anchor.cell), [i](const Member& other) { return other.particle == i; });
+  if (anchor.loose) {
+    *std::find(loose_.begin(), loose_.end(), i) = loose_.back();
+    loose_.pop_back();
   }
+  if (anchor.placed) bucket(anchor.cell).remove(i);
   anchor.placed = anchor.loose = false;
 }
 
@@ -171,7 +188,7 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
     return;
   }
   anchor.placed = true;
-  bucket(anchor.cell).push_back({anchor.place, i});
+  bucket(anchor.cell).add({anchor.place, i});
   if (std::isinf(anchor.expires)) return;
   expiries_.push({anchor.expires, i, anchor.number});
   if (expiries_.size() > 4 * anchors_.size()) forget_old_expiries();
@@ -198,11 +215,14 @@ std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
   return std::nullopt;
 }
 
-/// Takes up whoever has an anchor within a cell's side, of the nearest image. Members of other cells that
-/// share the bucket have none, nor most of those in the corners.
+/// Near is who has an anchor within a cell's side, of the nearest image. Members of other cells that share
+/// the bucket have none, nor most of those in the corners.
 template <bool kIsPeriodic>
-void Neighbours::find_in(const std::vector<Member>& bucket, const Coordinates& place) {
-  for (const Member& other : bucket) {
+std::size_t Neighbours::find_in(const Bucket& bucket, const Coordinates& place, std::size_t count) {
+  if (found_.size() < count + bucket.count + Bucket::kHere)
+    found_.resize(2 * found_.size() + bucket.count + Bucket::kHere);
+  int* const found = found_.data();
+  const auto look_at = [&](const Member& other) {
     double squared = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       double r = other.anchor[k] - place[k];
@@ -212,16 +232,22 @@ void Neighbours::find_in(const std::vector<Member>& bucket, const Coordinates& p
       }
       squared += r * r;
     }
-    if (squared <= 1) found_.push_back(other.particle);
-  }
+    found[count] = other.particle;
+    count += squared <= 1 ? 1 : 0;
+  };
+  for (const Member& other : bucket.here) look_at(other);
+  for (const Member& other : bucket.more) look_at(other);
+  return count;
 }
 
-const std::vector<int>& Neighbours::near(int i) {
+std::span<const int> Neighbours::near(int i) {
   const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
   if (is_near_everybody(i)) return everyone_;
-  found_ = far_reaching_;
-  if (!anchor.placed) return found_;
-  found_.insert(found_.end(), loose_.begin(), loose_.end());
+  if (!anchor.placed) return far_reaching_;
+  std::size_t count = far_reaching_.size() + loose_.size();
+  if (found_.size() < count) found_.resize(count);
+  std::copy(loose_.begin(), loose_.end(),
+            std::copy(far_reaching_.begin(), far_reaching_.end(), found_.begin()));
   std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::int32_t step = -1; step <= 1; ++step) {
@@ -235,16 +261,13 @@ const std::vector<int>& Neighbours::near(int i) {
   for (const std::size_t x : parts[0]) {
     for (const std::size_t y : parts[1]) {
       for (std::size_t z = first; z < 3 - first; ++z) {
-        const std::vector<Member>& bucket = buckets_[x + y + parts[2][z]];
-        if (is_periodic) {
-          find_in<true>(bucket, anchor.place);
-        } else {
-          find_in<false>(bucket, anchor.place);
-        }
+        const Bucket& bucket = buckets_[x + y + parts[2][z]];
+        count = is_periodic ? find_in<true>(bucket, anchor.place, count)
+                            : find_in<false>(bucket, anchor.place, count);
       }
     }
   }
-  return found_;
+  return {found_.data(), count};
 }
 
 }  // namespace tps::check

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
@@ -36,7 +38,7 @@ class Neighbours {
 
   /// Every other particle that may be near particle i: those whose anchors are within a cell's side of its
   /// own, and those that are never in a cell.
-  const std::vector<int>& near(int i);
+  std::span<const int> near(int i);
 
   /// Whether everybody is near particle i.
   bool is_near_everybody(int i) const {
@@ -57,6 +59,20 @@ class Neighbours {
     Coordinates anchor;  ///< as Anchor::place
     int particle;
   };
+  /// Members in their order. The first two stand in the bucket itself, and nowhere where there are none: they
+  /// are looked at without asking how many there are, which no processor foresees.
+  struct Bucket {
+    static constexpr std::size_t kHere = 2;
+    static constexpr Member kNobody = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, -1};
+
+    std::array<Member, kHere> here = {kNobody, kNobody};
+    std::size_t count = 0;
+    std::vector<Member> more;
+
+    void add(const Member& member);
+    /// Whose place the last one takes.
+    void remove(int particle);
+  };
   struct Anchor {
     Cell cell{};
     Coordinates place{};       ///< taken back into a periodic box, in units of cell_
@@ -72,7 +88,7 @@ class Neighbours {
     bool operator>(const Due& other) const { return t > other.t; }
   };
 
-  std::vector<Member>& bucket(const Cell& cell) {
+  Bucket& bucket(const Cell& cell) {
     return buckets_[along(0, cell[0]) + along(1, cell[1]) + along(2, cell[2])];
   }
 
@@ -84,8 +100,9 @@ class Neighbours {
   std::size_t along(std::size_t axis, std::int32_t x) const {
     return (static_cast<std::uint32_t>(x) & mask_[axis]) * stride_[axis];
   }
+  /// Takes up whoever of a bucket is near a place behind `count` others, and counts them.
   template <bool kIsPeriodic>
-  void find_in(const std::vector<Member>& bucket, const Coordinates& place);
+  std::size_t find_in(const Bucket& bucket, const Coordinates& place, std::size_t count);
   void remove(int i);
   void forget_old_expiries();
 
@@ -105,11 +122,11 @@ class Neighbours {
   std::vector<int> loose_;
   /// Cells wrapped around like a torus: distant ones may share a bucket, neighbouring ones do only across the
   /// edge of a periodic box with more cells along it than buckets.
-  std::vector<std::vector<Member>> buckets_;
+  std::vector<Bucket> buckets_;
   std::array<std::uint32_t, 3> mask_{};
   std::array<std::size_t, 3> stride_{};
   std::priority_queue<Due, std::vector<Due>, std::greater<>> expiries_;
-  std::vector<int> found_;
+  std::vector<int> found_;  ///< by near(), and room for more
 };
 
 }  // namespace tps::check

@@ -42,9 +42,9 @@ Work<Number> momentum_rounding(const Context<Number>& c, bool of_i, const Balanc
 }  // namespace detail
 
 /// What both bodies gain is nothing, but for the rounding of their velocities: Δp is the same number for
-/// both.
-template <typename Number>
-void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, const std::string& pair) {
+/// both. `who()` names them, here and below.
+template <typename Number, typename Who>
+void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, const Who& who) {
   using W = Work<Number>;
   if (x.inverse_i == W(0) || x.inverse_j == W(0)) return;  // it takes any
   const Vec<W> drift =
@@ -54,15 +54,15 @@ void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, co
   const W unit = bound / W(3);
   c.tally.residual("momentum", as_double(x.exchanged), as_double(W((drift[0] + drift[1] + drift[2]) / unit)));
   c.tally.within(Rule::conservation, as_double(W(largest(drift) / unit)), 3, [&](Finding& f) {
-    f.message = fmt::format("{} gain the momentum {} together", pair, shown(drift, c.model.scene.dimension));
+    f.message = fmt::format("{} gain the momentum {} together", who(), shown(drift, c.model.scene.dimension));
     f.equation = "(3)";
   });
 }
 
 /// The energy of the relative motion, ½ μ |v_AB|²: that of the common motion is the momentum's matter, and a
 /// wall does no work in its own frame.
-template <typename Number>
-void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, const std::string& pair) {
+template <typename Number, typename Who>
+void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, const Who& who) {
   using std::abs;
   using W = Work<Number>;
   const W inverse = x.inverse_i + x.inverse_j;
@@ -81,15 +81,15 @@ void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, cons
     const W gained = mu / W(2) * (dot(v_after, v_after) - dot(v_before, v_before));
     const auto [found, expected] = told_apart(gained, W(-x.taken));
     f.message =
-        fmt::format("the energy of {} changes by {}; the coefficients make that {}", pair, found, expected);
+        fmt::format("the energy of {} changes by {}; the coefficients make that {}", who(), found, expected);
     f.equation = "(4)";
   });
 }
 
 /// An impulse along the line of the two turns nothing. Each of the four roundings of its components turns it.
-template <typename Number>
+template <typename Number, typename Who>
 void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>>& x,
-                            const BodiesNow<Number>& b, const std::string& pair) {
+                            const BodiesNow<Number>& b, const Who& who) {
   using W = Work<Number>;
   const bool of_i =
       x.inverse_j == W(0) ||
@@ -104,7 +104,7 @@ void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>
   const Vec<W> torque = cross(b.r, gained);
   c.tally.within(Rule::conservation, as_double(W(W(3) * length(torque) / bound)), 3, [&](Finding& f) {
     f.message = fmt::format("{} gain the angular momentum {}: the impulse is not along the line of the two",
-                            pair, shown(torque, 3));
+                            who(), shown(torque, 3));
     f.equation = "(4)";
   });
 }
@@ -139,9 +139,10 @@ void judge_conservation(const Context<Number>& c, const EventLine<Number>& event
   balance.speed_error = W(expected.roundings) * response.speed_error;
   balance.taken = response.lost;
   balance.energy_error = response.lost_by_turning;
-  judge_momentum(c, balance, c.pair(b.i, b.j));
-  judge_energy(c, balance, c.pair(b.i, b.j));
-  if (expected.equation == "(4)") judge_angular_momentum(c, balance, b, c.pair(b.i, b.j));
+  const auto who = [&] { return c.pair(b.i, b.j); };
+  judge_momentum(c, balance, who);
+  judge_energy(c, balance, who);
+  if (expected.equation == "(4)") judge_angular_momentum(c, balance, b, who);
 }
 
 /// A load takes ½ μ |v_AB|² out of the motion, whatever of it is stored or lost.
@@ -155,8 +156,9 @@ void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& 
   balance.exchanged = b.mu * largest(b.v);
   balance.momentum_error = joined * by_eq6(b, c.u()).error;
   balance.taken = b.mu / W(2) * dot(b.v, b.v);
-  judge_momentum(c, balance, c.pair(b.i, b.j));
-  judge_energy(c, balance, c.pair(b.i, b.j));
+  const auto who = [&] { return c.pair(b.i, b.j); };
+  judge_momentum(c, balance, who);
+  judge_energy(c, balance, who);
 }
 
 /// The parting of two bodies gives back what their load stored.
@@ -172,8 +174,9 @@ void judge_parting_conservation(const Context<Number>& c, const EventLine<Number
   balance.v_after = (b.v_j - b.v_i) - inverse * dp;
   balance.speed_error = node.dp_error;
   balance.taken = W(-dot(dp, dp) * inverse / W(2));
-  judge_momentum(c, balance, c.pair(b.i, b.j));
-  judge_energy(c, balance, c.pair(b.i, b.j));
+  const auto who = [&] { return c.pair(b.i, b.j); };
+  judge_momentum(c, balance, who);
+  judge_energy(c, balance, who);
 }
 
 }  // namespace tps::check

@@ -61,7 +61,6 @@ template <typename Number>
 void judge_forming(const Context<Number>& c, const EventLine<Number>& event) {
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(event.i, event.j);
-  const std::string pair = c.pair(event.i, event.j);
   const bool forms = event.formed.value_or(false);
   const bool can = rules.can_tether && !rules.permanent && rules.form.when != FormRule::When::never;
   const bool free = can && model.tethers[static_cast<std::size_t>(event.i)].count(event.j) == 0;
@@ -77,7 +76,8 @@ void judge_forming(const Context<Number>& c, const EventLine<Number>& event) {
         : !room  ? "one of them has all the tethers it can have"
         : chance ? fmt::format("the draw is {} and the probability {}", *event.draw, rules.form.probability)
                  : "their rule always forms one";
-    f.message = fmt::format("{} {} a tether, but {}", pair, forms ? "form" : "do not form", why);
+    f.message =
+        fmt::format("{} {} a tether, but {}", c.pair(event.i, event.j), forms ? "form" : "do not form", why);
   });
 }
 
@@ -88,9 +88,8 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
   using W = Work<Number>;
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(event.i, event.j);
-  const std::string pair = c.pair(event.i, event.j);
   c.tally.demand(Rule::tethers, model.tethered(event.i, event.j), [&](Finding& f) {
-    f.message = fmt::format("{} {}, but they are not tethered", pair, name(event.kind));
+    f.message = fmt::format("{} {}, but they are not tethered", c.pair(event.i, event.j), name(event.kind));
   });
   const bool breaks = event.kind == Kind::broken;
   using When = BreakRule::When;
@@ -112,10 +111,10 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
     should = beyond > W(0);
     if (beyond <= unit && beyond >= -unit) should = breaks;
   }
-  const auto told = told_apart(size, W(stored<Number>(rules.breaks.threshold, model.precision)));
   c.tally.demand(Rule::tethers, breaks == should, [&](Finding& f) {
-    f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", pair, breaks ? "breaks" : "holds",
-                            should ? "breaks" : "holds",
+    const auto told = told_apart(size, W(stored<Number>(rules.breaks.threshold, model.precision)));
+    f.message = fmt::format("the tether of {} {}, but by its rule it {}{}", c.pair(event.i, event.j),
+                            breaks ? "breaks" : "holds", should ? "breaks" : "holds",
                             rules.breaks.when == When::impulse_above
                                 ? fmt::format(": |Δp| = {} and the threshold is {}", told.first, told.second)
                                 : std::string());

@@ -178,7 +178,9 @@ void judge_wall_rebound(const Context<Number>& c, const EventLine<Number>& event
   balance.speed_error = bound;
   balance.taken = expected.response.lost;
   balance.energy_error = expected.response.lost_by_turning;
-  const std::string who = fmt::format("particle {} and {}", c.model.id(event.i), surface_name(wall.surface));
+  const auto who = [&] {
+    return fmt::format("particle {} and {}", c.model.id(event.i), surface_name(wall.surface));
+  };
   judge_energy(c, balance, who);
   judge_angular_momentum(c, balance, b, who);
 }
