@@ -1,5 +1,5 @@
 // The functions of Arb and FLINT that are called, each of them loaded at its first call. Linked, these
-// libraries bind 9,500 symbols at every start of a program, two thirds of the time of `tps --version`
+// libraries bind 9,500 symbols at every start of a program, two thirds of what `tps --version` would take
 // (docs/decisions.md, D35). Heavy header: Arb.
 #pragma once
 
