@@ -98,7 +98,7 @@ def killers(mutant, programs, parameters):
         for test in tests_of(program):
             cases = case_of_death(program, test, parameters)
             if cases is not None:
-                deaths.append((law_of(test), cases))
+                deaths.append((test if kind == "statistics" else law_of(test), cases))
     return sorted(deaths, key=lambda death: (not isinstance(death[1], int), death[1] if isinstance(death[1], int) else 0))
 
 
