@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "reference/scene/write_scene.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
@@ -173,6 +174,23 @@ TEST(RandomKicks, AResumedRunGoesOnToTheSameBytes) {
     options.state_every = 10;
     SCOPED_TRACE(seed);
     testing::expect_same_when_resumed(busy(seed, seed == 4), options);
+  }
+}
+
+// A scene may have any number of events between two lines of a trace: so many missing ones are told, and not
+// the rest of them.
+TEST(Gravity, MissingImpulsesAreNotCountedForEver) {
+  for (const double every : {1e-300, 1e-9}) {
+    Scene scene = testing::plain_scene(2);
+    scene.duration = 1;
+    scene.gravity = Gravity{{0, -1, 0}, every};
+    add_particle(scene, 0, {}, {1, 0, 0});
+    const json head{
+        {"trace", 1}, {"form", "minimal"}, {"scalar", "double"}, {"scene", json::parse(write_scene(scene))}};
+    const json end{{"end", "duration"}, {"t", 1}, {"events", 0}};
+    const check::CheckReport report = testing::checked(head.dump() + "\n" + end.dump() + "\n");
+    EXPECT_EQ(violated(report, check::Rule::earliest), 1000U) << every;
+    EXPECT_NE(report.of(check::Rule::earliest).not_judged.find("1000 in a row"), std::string::npos) << every;
   }
 }
 
