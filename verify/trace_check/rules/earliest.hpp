@@ -1,6 +1,8 @@
 // Rule earliest: what a pair that is not at its event must not have done meanwhile.
 #pragma once
 
+#include <span>
+
 #include "reference/equations/square_root.hpp"
 #include "reference/version.hpp"
 #include "verify/trace_check/computed_time.hpp"
@@ -232,7 +234,8 @@ Asked judge_pair(const Context<Number>& c, int i, int j, const Instant<Number>& 
     const bool responded = model.responded(i, j, false);
     const auto images = images_on_the_way(model, i, j, dt, W(rules.inner));
     if (!images) c.tally.not_judged(Rule::earliest, kTooManyImages);
-    for (const Vec<Number>& image : images.value_or(std::vector<Vec<Number>>{})) {
+    const std::span<const Vec<Number>> judged = images ? std::span(*images) : std::span<const Vec<Number>>{};
+    for (const Vec<Number>& image : judged) {
       const bool happens = happening.is(i, j, false) && image == met;
       judge(pair_flight(model, i, j, image), {false, W(rules.inner), responded && model.edges.has_value()},
             !happens && (!responded || model.edges));
