@@ -172,11 +172,19 @@ TEST_F(Check, BrokenLinesAreReportedAndPassedOver) {
   }
 }
 
+/// What bounds a program's memory by a gigabyte. The address sanitizer reserves terabytes of addresses.
+#ifdef __SANITIZE_ADDRESS__
+const std::string kBounded =
+    "export ASAN_OPTIONS=$ASAN_OPTIONS:quarantine_size_mb=16:hard_rss_limit_mb=1000; ";
+#else
+const std::string kBounded = "ulimit -v 1000000; ";
+#endif
+
 // A line of any length costs a bounded amount of memory, and the check goes on behind it.
 TEST_F(Check, AnEndlessLineIsPassedOver) {
   const Outcome outcome = run_shell("(head -n 2 " + file("good") +
                                     "; head -c 300000000 /dev/zero | tr '\\0' 'x'; echo; tail -n +3 " +
-                                    file("good") + ") | (ulimit -v 1000000; " + kTps + " check -q -)");
+                                    file("good") + ") | (" + kBounded + kTps + " check -q -)");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.text;
   expect_text(outcome, "is longer than any line of this trace can be");
   expect_text(outcome, "70 events");

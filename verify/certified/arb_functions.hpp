@@ -39,6 +39,17 @@ class Function<Result(Arguments...)> {
   std::atomic<Pointer> address_{nullptr};
 };
 
+/// What FLINT keeps for a thread that computes with it; given back when the thread ends.
+class OfThisThread {
+ public:
+  static void keep() { thread_local const OfThisThread kept; }
+
+ private:
+  OfThisThread() : cleanup_(reinterpret_cast<void (*)()>(address_of("flint_cleanup"))) {}
+  ~OfThisThread() { cleanup_(); }
+  void (*cleanup_)();
+};
+
 #define TPS_LOADED(name)                             \
   inline constinit Function<decltype(::name)> name { \
 #name                                            \

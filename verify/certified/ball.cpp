@@ -43,7 +43,10 @@ class Flint {
 }  // namespace
 
 struct Ball::Arb {
-  Arb() { loaded::arb_init(x); }
+  Arb() {
+    loaded::OfThisThread::keep();
+    loaded::arb_init(x);
+  }
   ~Arb() { loaded::arb_clear(x); }
   Arb(const Arb&) = delete;
   Arb& operator=(const Arb&) = delete;
