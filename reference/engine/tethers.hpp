@@ -30,6 +30,7 @@ class Tethers {
     erase(j, i);
   }
   std::size_t count(int i) const { return of(i).size(); }
+  void prefetch(int i) const { __builtin_prefetch(&partners_[static_cast<std::size_t>(i)]); }
   /// The partners of a particle, ascending.
   const std::vector<int>& of(int i) const { return partners_[static_cast<std::size_t>(i)]; }
 
@@ -42,7 +43,7 @@ class Tethers {
     std::vector<int>& list = partners_[static_cast<std::size_t>(i)];
     list.erase(std::lower_bound(list.begin(), list.end(), j));
   }
-  std::vector<std::vector<int>> partners_;
+  LargeVector<std::vector<int>> partners_;
 };
 
 /// The two limits of a pair.
@@ -58,13 +59,13 @@ class Responded {
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
 
-  /// Few at a time: they are kept where the particle's list is, without allocating.
+  /// Few at a time: they are kept where the list is, without allocating.
   using Entries = boost::container::small_vector<Entry, 3>;
 
-  explicit Responded(const std::vector<bool>& fixed)
-      : fixed_(fixed.begin(), fixed.end()),
-        entries_(fixed.size()),
-        glances_(fixed.size(), {kNobody, Limit::inner}) {}
+  explicit Responded(const std::vector<bool>& fixed) : lists_(fixed.size()) {
+    glances_.reserve(fixed.size());
+    for (const bool is_fixed : fixed) glances_.push_back({is_fixed ? kEverybody : kNobody, Limit::inner});
+  }
 
   bool contains(int i, int j, Limit limit) const { return has(i, {j, limit}) && has(j, {i, limit}); }
   void add(int i, int j, Limit limit) {
@@ -73,34 +74,47 @@ class Responded {
   }
   /// The velocity of i has changed.
   void forget(int i) {
-    entries_[static_cast<std::size_t>(i)].clear();
-    glances_[static_cast<std::size_t>(i)] = {kNobody, Limit::inner};
+    Entry& glance = glances_[index(i)];
+    if (glance.partner == kEverybody) return;
+    if (glance.partner == kSeveral) lists_[index(i)].clear();
+    glance.partner = kNobody;
   }
-  void prefetch(int i) const { __builtin_prefetch(&glances_[static_cast<std::size_t>(i)]); }
+  void prefetch(int i) const { __builtin_prefetch(&glances_[index(i)]); }
   /// Ascending, so that a full state does not depend on entries that a partner has since made void.
-  const Entries& of(int i) const { return entries_[static_cast<std::size_t>(i)]; }
+  Entries of(int i) const {
+    const Entry& glance = glances_[index(i)];
+    if (glance.partner == kSeveral) return lists_[index(i)];
+    return glance.partner >= 0 ? Entries{glance} : Entries{};
+  }
 
  private:
-  bool is_fixed(int i) const { return fixed_[static_cast<std::size_t>(i)] != 0; }
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
   bool has(int i, Entry entry) const {
-    if (is_fixed(i)) return true;
-    const Entry& glance = glances_[static_cast<std::size_t>(i)];
-    if (glance.partner != kSeveral) return glance == entry;
-    return std::binary_search(of(i).begin(), of(i).end(), entry);
+    const Entry& glance = glances_[index(i)];
+    if (glance.partner >= 0) return glance == entry;
+    if (glance.partner != kSeveral) return glance.partner == kEverybody;
+    return std::binary_search(lists_[index(i)].begin(), lists_[index(i)].end(), entry);
   }
   void insert(int i, Entry entry) {
     if (has(i, entry)) return;
-    Entries& entries = entries_[static_cast<std::size_t>(i)];
-    entries.insert(std::lower_bound(entries.begin(), entries.end(), entry), entry);
-    glances_[static_cast<std::size_t>(i)] = entries.size() == 1 ? entry : Entry{kSeveral, Limit::inner};
+    Entry& glance = glances_[index(i)];
+    if (glance.partner == kNobody) {
+      glance = entry;
+      return;
+    }
+    Entries& list = lists_[index(i)];
+    if (glance.partner >= 0) list.push_back(std::exchange(glance, {kSeveral, Limit::inner}));
+    list.insert(std::lower_bound(list.begin(), list.end(), entry), entry);
   }
 
+  // In the place of a partner:
   static constexpr int kNobody = -1;
-  static constexpr int kSeveral = -2;
+  static constexpr int kSeveral = -2;    ///< the list says who
+  static constexpr int kEverybody = -3;  ///< an infinite mass
 
-  std::vector<char> fixed_;
-  LargeVector<Entries> entries_;
-  LargeVector<Entry> glances_;  ///< a lone entry, nobody, or several: most questions need no list
+  LargeVector<Entry> glances_;  ///< a lone entry, or one of the above: most questions need no list
+  LargeVector<Entries> lists_;
 };
 
 }  // namespace tps

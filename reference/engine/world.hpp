@@ -52,7 +52,6 @@ class World {
   Time<Scalar> last_event;
   std::uint64_t events = 0;
   LargeVector<ParticleState<Scalar, D>> particles;
-  std::vector<std::uint32_t> revisions;  ///< of the particles: raised whenever predictions become void
   Tethers tethers;
   Responded responded;
   std::map<std::array<int, 3>, std::uint32_t> draws;  ///< (purpose, i, j) → random numbers used
@@ -64,9 +63,11 @@ class World {
   RecordSink<Scalar, D> sink;
 
   int size() const { return static_cast<int>(particles.size()); }
-  int species(int i) const { return species_[index(i)]; }
-  const Scalar& mass(int i) const { return masses_[index(i)]; }
-  bool fixed(int i) const { return fixed_[index(i)] != 0; }
+  int species(int i) const { return tags_[index(i)].species; }
+  /// Raised whenever predictions of a particle become void.
+  std::uint32_t revision(int i) const { return tags_[index(i)].revision; }
+  const Scalar& mass(int i) const { return masses_[index(species(i))]; }
+  bool fixed(int i) const { return fixed_[index(species(i))] != 0; }
   const Vec& velocity(int i) const { return particles[index(i)].velocity; }
   /// The common velocity of infinite masses, else that of all walls; zero where there is none.
   const Vec& frame_velocity() const { return frame_velocity_; }
@@ -123,6 +124,14 @@ class World {
   }
   void forget_places() { places_of_ = {-1, -1}; }
 
+  /// Asks memory for what an event of a particle needs.
+  void prefetch(int i) const {
+    __builtin_prefetch(&particles[index(i)]);
+    __builtin_prefetch(&tags_[index(i)]);
+    tethers.prefetch(i);
+    responded.prefetch(i);
+  }
+
   /// Advances a particle's stored state to now. Infinite masses keep theirs: nothing ever changes it.
   void bring(int i);
   /// Gives a particle a velocity; pairs that had responded may do so again if it differs. REQUIRES bring(i).
@@ -150,9 +159,14 @@ class World {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
  private:
-  std::vector<int> species_;  ///< as in the scene, side by side
-  std::vector<Scalar> masses_;
-  std::vector<char> fixed_;
+  /// What is asked of neighbours, side by side.
+  struct Tag {
+    int species;
+    std::uint32_t revision;
+  };
+  LargeVector<Tag> tags_;
+  std::vector<Scalar> masses_;  ///< by species
+  std::vector<char> fixed_;     ///< by species
   Vec frame_velocity_ = Vec::Zero();
   std::vector<int> touched_, taken_;
   std::vector<char> is_touched_;
@@ -182,19 +196,20 @@ World<Scalar, D>::World(const Scene& scene_in, const TimingChoice& timing_in)
     : scene(scene_in),
       timing(timing_in),
       laws(scene_in),
-      revisions(scene_in.particles.size(), 0),
       tethers(scene_in.particles.size()),
       responded(infinite_masses(scene_in)),
       is_touched_(scene_in.particles.size(), false) {
   if (const auto V = velocity_of_walls(scene)) frame_velocity_ = lifted<Scalar, D>(*V);
+  for (const Species& species : scene.species) {
+    masses_.push_back(Scalar(species.mass));
+    fixed_.push_back(species.mass == std::numeric_limits<double>::infinity());
+  }
   particles.reserve(scene.particles.size());
+  tags_.reserve(scene.particles.size());
   for (const Particle& p : scene.particles) {
     particles.push_back({lifted<Scalar, D>(p.position), lifted<Scalar, D>(p.velocity), {}});
-    species_.push_back(p.species);
-    const double mass = scene.species[index(p.species)].mass;
-    masses_.push_back(Scalar(mass));
-    fixed_.push_back(mass == std::numeric_limits<double>::infinity());
-    if (fixed_[particles.size() - 1]) frame_velocity_ = particles.back().velocity;
+    tags_.push_back({p.species, 0});
+    if (fixed_[index(p.species)]) frame_velocity_ = particles.back().velocity;
   }
   for (const Tether& tether : scene.tethers) tethers.add(tether.i, tether.j);
 }
@@ -222,7 +237,7 @@ void World<Scalar, D>::touch(int i) {
   if (fixed(i) || is_touched_[index(i)]) return;
   is_touched_[index(i)] = true;
   touched_.push_back(i);
-  ++revisions[index(i)];
+  ++tags_[index(i)].revision;
 }
 
 template <typename Scalar, int D>
@@ -278,15 +293,13 @@ double World<Scalar, D>::draw(Purpose purpose, int i, int j) {
 template <typename Scalar, int D>
 PendingEvent<Scalar> World<Scalar, D>::pending(const Time<Scalar>& time, Rank rank, int first, int second,
                                                int detail, int effect) const {
-  const auto revision = [this](int i) { return i < 0 ? 0U : revisions[index(i)]; };
-  return {time, rank, first, second, detail, effect, revision(first), revision(second)};
+  const auto present = [this](int i) { return i < 0 ? 0U : revision(i); };
+  return {time, rank, first, second, detail, effect, present(first), present(second)};
 }
 
 template <typename Scalar, int D>
 bool World<Scalar, D>::is_live(const PendingEvent<Scalar>& event) const {
-  const auto unchanged = [this](int i, std::uint32_t revision) {
-    return i < 0 || revisions[index(i)] == revision;
-  };
+  const auto unchanged = [this](int i, std::uint32_t then) { return i < 0 || revision(i) == then; };
   return unchanged(event.first, event.first_revision) && unchanged(event.second, event.second_revision);
 }
 

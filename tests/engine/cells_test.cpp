@@ -66,29 +66,67 @@ TEST(RegionGrid, ASearchFindsWhoIsInTheRangeAndWantedAndNobodyTwice) {
   }
 }
 
-TEST(ParticleQueue, TheEarliestAndAllUpToATimeAreThoseOfASortedList) {
-  Choices choices(2);
-  constexpr int kParticles = 40;
-  ParticleQueue<double> queue;
-  queue.reset(kParticles);
-  std::vector<Time<double>> due(kParticles, Time<double>::never());
-  for (int step = 0; step < 3000; ++step) {
-    const int i = choices.whole(0, kParticles - 1);
-    const Time<double> time =
-        choices.whole(0, 9) == 0 ? Time<double>::never()
-                                 : Time<double>{double(choices.whole(0, 30)), choices.whole(-1, 1) * 0x1p-60};
-    due[static_cast<std::size_t>(i)] = time;
-    queue.schedule(i, time);
-    EXPECT_EQ(queue.earliest().time, *std::min_element(due.begin(), due.end()));
-    EXPECT_EQ(due[static_cast<std::size_t>(queue.earliest().particle)], queue.earliest().time);
-    const Time<double> latest{double(choices.whole(0, 30)), 0};
+/// Times of a run: what is due is put off, others are brought forward, and some never come.
+template <typename Scalar>
+struct DueTimes {
+  explicit DueTimes(std::uint32_t seed) : choices(seed) {}
+
+  Time<Scalar> next(const Time<Scalar>& now, int kind) {
+    if (choices.whole(0, 19) == 0) return Time<Scalar>::never();
+    const double u = choices.whole(1, 1000) / 1000.0;
+    switch (kind) {
+      case 0:
+        return {Scalar(choices.whole(0, 30)), Scalar(choices.whole(-1, 1) * 0x1p-60)};  // ties
+      case 1:
+        return after(now, Scalar(-std::log(u)));  // a gas
+      case 2:
+        return after(now, Scalar(std::ldexp(u, choices.whole(-100, 100))));  // all scales
+      case 3:
+        return after(now, Scalar(choices.whole(0, 9) == 0 ? u : 0x1p-30 * u));  // a burst
+      default:
+        return {std::numeric_limits<Scalar>::max() / Scalar(choices.whole(1, 3)), Scalar(0)};
+    }
+  }
+  Choices choices;
+};
+
+template <typename Scalar>
+void expect_a_sorted_list(int particles, int steps, int kind) {
+  DueTimes<Scalar> times(static_cast<std::uint32_t>(kind + particles));
+  ParticleQueue<Scalar> queue;
+  queue.reset(static_cast<std::size_t>(particles));
+  std::vector<Time<Scalar>> due(static_cast<std::size_t>(particles), Time<Scalar>::never());
+  const auto near = [](const std::vector<int>&) {};
+  Time<Scalar> now;
+  const auto schedule = [&](int i) {
+    due[static_cast<std::size_t>(i)] = times.next(now, kind);
+    queue.schedule(i, due[static_cast<std::size_t>(i)]);
+  };
+  for (int i = 0; i < particles; ++i) schedule(i);
+  for (int step = 0; step < steps; ++step) {
+    const auto first = queue.earliest(near);
+    ASSERT_EQ(first.time, *std::min_element(due.begin(), due.end())) << kind;
+    ASSERT_EQ(due[static_cast<std::size_t>(first.particle)], first.time);
+    if (first.time < Time<Scalar>::never()) now = std::max(now, first.time);
+    const Time<Scalar> latest = times.choices.whole(0, 1) == 0 ? now : times.next(now, kind);
     std::vector<int> found, expected;
-    queue.due_until(latest, found);
-    for (int j = 0; j < kParticles; ++j) {
+    queue.due_until(latest, found, near);
+    for (int j = 0; j < particles; ++j) {
       if (due[static_cast<std::size_t>(j)] <= latest) expected.push_back(j);
     }
     std::sort(found.begin(), found.end());
-    EXPECT_EQ(found, expected);
+    ASSERT_EQ(found, expected) << kind;
+    schedule(first.particle);
+    for (int n = times.choices.whole(0, 4); n > 0; --n) schedule(times.choices.whole(0, particles - 1));
+  }
+}
+
+TEST(ParticleQueue, TheEarliestAndAllUpToATimeAreThoseOfASortedList) {
+  for (int kind = 0; kind < 5; ++kind) {
+    expect_a_sorted_list<double>(40, 2000, kind);
+    expect_a_sorted_list<double>(1500, 3000, kind);
+    expect_a_sorted_list<float>(700, 500, kind);
+    expect_a_sorted_list<long double>(700, 500, kind);
   }
 }
 

@@ -103,12 +103,13 @@ TEST(Simulation, AnEventPredictsItsOwnParticlesAgainAndNoOther) {
   };
   int wall_hits = 0;
   for (int n = 0; n < 300; ++n) {
-    const std::vector<std::uint32_t> before = simulation.world().revisions;
+    std::vector<std::uint32_t> before;
+    for (int i = 0; i < simulation.world().size(); ++i) before.push_back(simulation.world().revision(i));
     simulation.step();
     int changed = 0;
     for (int i = 0; i < simulation.world().size(); ++i) {
       const std::size_t at = static_cast<std::size_t>(i);
-      const bool moved = before[at] != simulation.world().revisions[at];
+      const bool moved = before[at] != simulation.world().revision(i);
       const bool named = std::find(involved.begin(), involved.end(), i) != involved.end();
       EXPECT_EQ(moved, named && !simulation.world().fixed(i));
       changed += moved ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "reference/engine/cells/fetch_ahead.hpp"
 #include "reference/engine/cells/neighbourhood.hpp"
 #include "reference/engine/cells/outlook.hpp"
 #include "reference/engine/cells/pair_events.hpp"
@@ -55,16 +56,17 @@ class Cells final : public Detector<Scalar, D> {
       const auto before = touched.begin() + static_cast<std::ptrdiff_t>(k);
       for (; n < ends_[k]; ++n) {
         const int j = neighbours_[n];
-        if (!std::binary_search(touched.begin(), before, j)) ask(world, asker, touched[k], j);
+        if (!std::binary_search(touched.begin(), before, j)) foresee(asker, touched[k], j);
       }
     }
-    for (const int i : touched) queue_.schedule(i, outlooks_[at(i)].due());
+    take_up_foreseen(world);
+    for (const int i : touched) schedule(i);
   }
 
   Time<Scalar> earliest(World<Scalar, D>& world, const Time<Scalar>& limit) override {
     if (outlooks_.empty()) return Time<Scalar>::never();
     for (;;) {
-      const auto& due = queue_.earliest();
+      const auto due = queue_.earliest(fetching(world));
       if (limit < due.time || is_ready(world, due.particle)) return due.time;
     }
   }
@@ -73,17 +75,18 @@ class Cells final : public Detector<Scalar, D> {
     if (outlooks_.empty()) return;
     do {
       due_.clear();
-      queue_.due_until(latest, due_);
+      queue_.due_until(latest, due_, fetching(world));
     } while (!are_ready(world, latest));
-    fetch_what_comes_next(world);
     const std::size_t first = events.size();
     for (const int i : due_) append_events(world, i, latest, events);
     keep_each_pair_once(events, first);
+    fetch_around(world, neighbourhood_, events, first);
   }
 
  private:
   using Asker = typename PairPredictor<Scalar, D>::Asker;
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+  void schedule(int i) { queue_.schedule(i, outlooks_[at(i)].due()); }
 
   void start(World<Scalar, D>& world, bool everywhere) {
     neighbourhood_.place_all(world, everywhere);
@@ -98,9 +101,10 @@ class Cells final : public Detector<Scalar, D> {
     for (int i = 0; i < world.size(); ++i) {
       const Asker asker = predictor_.asker(world, i, time_of_asking(world));
       for (const int j : around(world, i, {})) {
-        if (j > i) ask(world, asker, i, j);
+        if (j > i) foresee(asker, i, j);
       }
-      queue_.schedule(i, outlooks_[at(i)].due());
+      take_up_foreseen(world);
+      schedule(i);
     }
   }
 
@@ -111,14 +115,9 @@ class Cells final : public Detector<Scalar, D> {
     return neighbours_;
   }
 
-  /// While this event is answered, the particles of the following ones are on their way from memory.
-  void fetch_what_comes_next(const World<Scalar, D>& world) const {
-    queue_.for_next([&](int i) {
-      __builtin_prefetch(&outlooks_[at(i)]);
-      __builtin_prefetch(&outlooks_[at(i)].partner(0));
-      __builtin_prefetch(&world.particles[at(i)]);
-      neighbourhood_.prefetch(i);
-    });
+  /// What those need who are due soon is on its way from memory before they are.
+  auto fetching(const World<Scalar, D>& world) const {
+    return [&](const std::vector<int>& soon) { fetch_ahead(world, neighbourhood_, outlooks_, soon); };
   }
 
   /// After everyone was asked about everyone: regions again, and nothing to ask.
@@ -128,7 +127,7 @@ class Cells final : public Detector<Scalar, D> {
     for (int i = 0; i < world.size(); ++i) {
       if (!neighbourhood_.has_level(world, i)) continue;
       set_look(world, i, world.now);
-      queue_.schedule(i, outlooks_[at(i)].due());
+      schedule(i);
     }
   }
 
@@ -173,17 +172,27 @@ class Cells final : public Detector<Scalar, D> {
     asked_at_ = t;
     set_look(world, i, t);
     const Asker asker = predictor_.asker(world, i, time_of_asking(world));
-    for (const int j : around(world, i, left)) ask(world, asker, i, j);
-    queue_.schedule(i, outlooks_[at(i)].due());
+    for (const int j : around(world, i, left)) foresee(asker, i, j);
+    take_up_foreseen(world);
+    schedule(i);
   }
 
-  /// Takes the next event of a pair into the outlooks of both. An infinite mass has none: it never changes,
-  /// so that its partner's is enough.
-  void ask(const World<Scalar, D>& world, const Asker& asker, int i, int j) {
+  /// Asks for the next event of a pair. Until it is taken up, the partner's outlook comes from memory.
+  void foresee(const Asker& asker, int i, int j) {
     const std::optional<Event> event = asker.foreseen(j);
     if (!event) return;
-    add(world, i, j, *event);
-    if (add(world, j, i, *event)) queue_.schedule(j, outlooks_[at(j)].due());
+    outlooks_[at(j)].prefetch();
+    foreseen_.push_back({i, j, *event});
+  }
+
+  /// Takes events of pairs into the outlooks of both. An infinite mass has none: it never changes, so that
+  /// its partner's is enough.
+  void take_up_foreseen(const World<Scalar, D>& world) {
+    for (const Foreseen<Scalar>& f : foreseen_) {
+      add(world, f.asking, f.asked, f.event);
+      if (add(world, f.asked, f.asking, f.event)) schedule(f.asked);
+    }
+    foreseen_.clear();
   }
 
   /// Images are those of now, or of the last look where that was later: looks come in their order.
@@ -202,30 +211,34 @@ class Cells final : public Detector<Scalar, D> {
     for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
       outlooks_[at(own)].forget(other);
       if (event) add(world, own, other, *event);
-      queue_.schedule(own, outlooks_[at(own)].due());
+      schedule(own);
     }
     return true;
+  }
+
+  /// Asks for the events themselves of a particle, of those whom it can meet.
+  template <typename Use>
+  void for_each_event(const World<Scalar, D>& world, int i, Use use) {
+    const Asker asker = predictor_.asker(world, i, time_of_asking(world));
+    for (const int j : around(world, i, {})) {
+      if (const std::optional<Event> event = asker.earliest(j)) use(j, *event);
+    }
   }
 
   bool add(const World<Scalar, D>& world, int i, int partner, const Event& event) {
     if (world.fixed(i)) return false;
-    outlooks_[at(i)].add(event.time, {partner, world.revisions[at(partner)], event.effect});
+    outlooks_[at(i)].add(event.time, {partner, world.revision(partner), event.effect});
     return true;
   }
 
   static bool is_live(const World<Scalar, D>& world, const Partner& partner) {
-    return world.revisions[at(partner.particle)] == partner.revision;
+    return world.revision(partner.particle) == partner.revision;
   }
 
   /// Drops meetings that a partner's change has voided from the front. @return whether there were any.
   bool drop_void(const World<Scalar, D>& world, int i) {
-    Outlook<Scalar>& outlook = outlooks_[at(i)];
-    bool dropped = false;
-    while (outlook.count() > 0 && !is_live(world, outlook.partner(0))) {
-      outlook.drop_first();
-      dropped = true;
-    }
-    if (dropped) queue_.schedule(i, outlook.due());
+    const bool dropped = outlooks_[at(i)].drop([&](const Partner& p) { return !is_live(world, p); });
+    if (dropped) schedule(i);
     return dropped;
   }
 
@@ -241,12 +254,8 @@ class Cells final : public Detector<Scalar, D> {
     if (outlook.due() == Time<Scalar>::never()) return true;
     // Times themselves: times before which nothing happens, tied, could give way to each other for ever.
     outlook.clear();
-    const Asker asker = predictor_.asker(world, i, time_of_asking(world));
-    for (const int j : around(world, i, {})) {
-      const std::optional<Event> event = asker.earliest(j);
-      if (event) add(world, i, j, *event);
-    }
-    queue_.schedule(i, outlook.due());
+    for_each_event(world, i, [&](int j, const Event& event) { add(world, i, j, event); });
+    schedule(i);
     return false;
   }
 
@@ -271,11 +280,9 @@ class Cells final : public Detector<Scalar, D> {
                      std::vector<Event>& events) {
     const Outlook<Scalar>& outlook = outlooks_[at(i)];
     if (outlook.complete_until() <= latest) {
-      const Asker asker = predictor_.asker(world, i, time_of_asking(world));
-      for (const int j : around(world, i, {})) {
-        const std::optional<Event> event = asker.earliest(j);
-        if (event && event->time <= latest) events.push_back(*event);
-      }
+      for_each_event(world, i, [&](int, const Event& event) {
+        if (event.time <= latest) events.push_back(event);
+      });
       return;
     }
     for (int n = 0; n < outlook.count() && outlook.time(n) <= latest; ++n) {
@@ -290,6 +297,7 @@ class Cells final : public Detector<Scalar, D> {
   Neighbourhood<Scalar, D> neighbourhood_;
   ParticleQueue<Scalar> queue_;
   LargeVector<Outlook<Scalar>> outlooks_;
+  std::vector<Foreseen<Scalar>> foreseen_;  ///< to be taken up
   std::vector<int> due_, neighbours_;
   std::vector<std::size_t> ends_;
   std::uint64_t looks_since_event_ = 0;

@@ -58,7 +58,15 @@ class Neighbourhood {
     }
   }
 
+  /// Asks memory for where a particle is filed.
   void prefetch(int i) const { __builtin_prefetch(&filed_[at(i)]); }
+
+  /// The same for the buckets in which those of its own level are whom it can meet.
+  void prefetch_around(const World<Scalar, D>& world, int i) const {
+    if (!has_level(world, i)) return;
+    const std::size_t level = at(level_of(world, i));
+    grids_[level].prefetch_around(filed_[at(i)].region, plan_.levels()[level].regions_within_reach);
+  }
 
   bool roams(int i) const { return roams_[at(i)]; }
 
@@ -200,7 +208,7 @@ class Neighbourhood {
     const ParticleState<Scalar, D>& p = world.particles[at(i)];
     Vector<Scalar, D> place = world.position(i, t);
     const RegionLevel& level = plan_.levels()[at(level_of(world, i))];
-    const std::array<double, static_cast<std::size_t>(D)> wrapped = wrap(world, i, place);
+    const Wraps wrapped = wrap(world, i, place);
     Region<D> region;
     double largest = 0;
     double speed = 0;
@@ -221,9 +229,8 @@ class Neighbourhood {
   }
 
   /// Coordinates in the box; how many edges they are off is kept.
-  std::array<double, static_cast<std::size_t>(D)> wrap(const World<Scalar, D>& world, int i,
-                                                       const Vector<Scalar, D>& place) const {
-    std::array<double, static_cast<std::size_t>(D)> inside{};
+  Wraps wrap(const World<Scalar, D>& world, int i, const Vector<Scalar, D>& place) const {
+    Wraps inside{};
     for (int k = 0; k < D; ++k) {
       const double x = static_cast<double>(place[k]);
       const double edge = world.box ? static_cast<double>(world.box->edges()[k]) : 0;

@@ -24,6 +24,12 @@ class alignas(sizeof(Scalar) == 8 ? 64 : alignof(Time<Scalar>)) Outlook {
  public:
   Time<Scalar> look = Time<Scalar>::never();  ///< when the particle may leave its region
 
+  /// Asks memory for it.
+  void prefetch() const {
+    __builtin_prefetch(this);
+    __builtin_prefetch(&partners_);
+  }
+
   void clear() {
     count_ = 0;
     complete_until_ = Time<Scalar>::never();
@@ -58,9 +64,14 @@ class alignas(sizeof(Scalar) == 8 ? 64 : alignof(Time<Scalar>)) Outlook {
     partners_[at(place)] = partner;
   }
 
-  void drop_first() {
-    --count_;
-    for (int n = 0; n < count_; ++n) move(n + 1, n);
+  /// Drops meetings from the front while they are void. @return whether there were any.
+  template <typename IsVoid>
+  bool drop(IsVoid is_void) {
+    int dropped = 0;
+    while (dropped < count_ && is_void(partners_[at(dropped)])) ++dropped;
+    count_ -= dropped;
+    for (int n = 0; dropped > 0 && n < count_; ++n) move(n + dropped, n);
+    return dropped > 0;
   }
 
   void forget(int particle) {

@@ -10,6 +10,13 @@
 
 namespace tps {
 
+/// The next event of a pair, or a time before which it has none.
+template <typename Scalar>
+struct Foreseen {
+  int asking, asked;
+  PendingEvent<Scalar> event;
+};
+
 /// Of the events from the n-th one on, all of pairs, keeps one a pair.
 template <typename Scalar>
 void keep_each_pair_once(std::vector<PendingEvent<Scalar>>& events, std::size_t n) {

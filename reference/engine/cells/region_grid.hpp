@@ -99,6 +99,17 @@ class RegionGrid {
     if (own.previous < 0) first_[bucket_of(own.region)] = own.next;
   }
 
+  /// Asks memory for the first bucket of each row around a region: mostly, the others are in its cache line.
+  void prefetch_around(const Region<D>& region, int reach) const {
+    RegionRange<D> range{region, region};
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      range.low[k] -= reach;
+      range.high[k] += reach;
+    }
+    const std::uint32_t from = static_cast<std::uint32_t>(range.low[0] >> shift_) & mask_[0];
+    for_each_row(range, [&](std::size_t row) { __builtin_prefetch(&first_[row | from]); });
+  }
+
   /// Whether a search would look into more buckets than there are particles.
   bool is_wider_than_its_members(const RegionRange<D>& range) const {
     std::uint64_t buckets = 1;
@@ -141,30 +152,35 @@ class RegionGrid {
 
   /// What the lists of the buckets start with that a range touches. @return how many.
   std::size_t put_heads(const RegionRange<D>& range, std::vector<int>& heads) const {
-    std::array<std::uint32_t, kAxes> from{};
-    std::array<std::uint32_t, kAxes> count{};
     std::size_t buckets = 1;
-    for (std::size_t k = 0; k < kAxes; ++k) {
-      from[k] = static_cast<std::uint32_t>(range.low[k] >> shift_);
-      count[k] = static_cast<std::uint32_t>(width(range, k));
-      buckets *= count[k];
-    }
+    for (std::size_t k = 0; k < kAxes; ++k) buckets *= width(range, k);
     if (heads.size() < buckets) heads.resize(buckets);
+    const auto from = static_cast<std::uint32_t>(range.low[0] >> shift_);
+    const auto count = static_cast<std::uint32_t>(width(range, 0));
     std::size_t put = 0;
-    const std::uint32_t layers = D == 3 ? count[kAxes - 1] : 1;
+    for_each_row(range, [&](std::size_t row) {
+      for (std::uint32_t x = 0; x < count; ++x) {
+        const int first = first_[row | ((from + x) & mask_[0])];
+        heads[put] = first;
+        put += first >= 0 ? 1U : 0U;
+      }
+    });
+    return put;
+  }
+
+  /// Calls use(row) for where each row of buckets along the first axis begins that a range touches.
+  template <typename Use>
+  void for_each_row(const RegionRange<D>& range, Use use) const {
+    constexpr std::size_t last = kAxes - 1;
+    const auto from = [&](std::size_t k) { return static_cast<std::uint32_t>(range.low[k] >> shift_); };
+    const auto layers = D == 3 ? static_cast<std::uint32_t>(width(range, last)) : 1U;
+    const auto rows = static_cast<std::uint32_t>(width(range, 1));
     for (std::uint32_t z = 0; z < layers; ++z) {
-      const std::size_t layer =
-          D == 3 ? std::size_t{(from[kAxes - 1] + z) & mask_[kAxes - 1]} << stride_[kAxes - 1] : 0;
-      for (std::uint32_t y = 0; y < count[1]; ++y) {
-        const std::size_t row = layer | (std::size_t{(from[1] + y) & mask_[1]} << stride_[1]);
-        for (std::uint32_t x = 0; x < count[0]; ++x) {
-          const int first = first_[row | ((from[0] + x) & mask_[0])];
-          heads[put] = first;
-          put += first >= 0 ? 1U : 0U;
-        }
+      const std::size_t layer = D == 3 ? std::size_t{(from(last) + z) & mask_[last]} << stride_[last] : 0;
+      for (std::uint32_t y = 0; y < rows; ++y) {
+        use(layer | (std::size_t{(from(1) + y) & mask_[1]} << stride_[1]));
       }
     }
-    return put;
   }
 
   /// Buckets of an axis, each once however far the range goes round.

@@ -113,7 +113,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       const double side = (std::max(partner, level_size / 16) + 3 * margin_) / regions;
       const double bucket = level_size + 3 * margin_;
       const int shift = static_cast<int>(std::floor(std::log2(bucket / side) + 0.5));
-      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift)});
+      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift), 0});
     }
     level_of_[a] = static_cast<int>(levels_.size()) - 1;
   }
@@ -124,7 +124,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
     for (std::size_t b = 0; b < n; ++b) radius = std::min(radius, d.tethering[a * n + b]);
     if (level_of_[a] != kNone || !(radius < kInfinity)) continue;
     level_of_[a] = static_cast<int>(levels_.size());
-    levels_.push_back({radius / 16, 0});
+    levels_.push_back({radius / 16, 0, 0});
   }
 
   reach_.assign(n * levels_.size(), -1);
@@ -139,6 +139,12 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       double& reach = reach_[a * levels_.size() + static_cast<std::size_t>(level_of_[b])];
       reach = std::max(reach, d.free(a, b) + 3 * margin_);
     }
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    if (level_of_[a] == kNone || reach(static_cast<int>(a), level_of_[a]) < 0) continue;
+    RegionLevel& level = levels_[static_cast<std::size_t>(level_of_[a])];
+    const double own = reach(static_cast<int>(a), level_of_[a]);
+    level.regions_within_reach = std::max(level.regions_within_reach, static_cast<int>(own / level.side) + 1);
   }
   known_ = reach_;
   for (std::size_t a = 0; a < n; ++a) {

@@ -16,8 +16,9 @@ namespace tps {
 
 /// Species of similar size. A region is a cube of the lattice of its level.
 struct RegionLevel {
-  double side;  ///< of a region
-  int shift;    ///< a bucket of the grid is 2^shift regions wide
+  double side;               ///< of a region
+  int shift;                 ///< a bucket of the grid is 2^shift regions wide
+  int regions_within_reach;  ///< of its own, to either side, at most
 };
 
 /// Margins, levels and reaches of a scene, in double whatever the scalar (docs/scale.md derives them).
