@@ -10,6 +10,7 @@
 #include "reference/engine/world.hpp"
 #include "reference/equations/eq6_load_velocity.hpp"
 #include "reference/equations/eq7_restitution_impulse.hpp"
+#include "reference/equations/weighted_square.hpp"
 
 namespace tps {
 
@@ -115,10 +116,7 @@ class GroupCoupling final : public Coupling<Scalar, D> {
 
   /// |Δp_AB|²/2μ, what a load keeps for its restitution.
   static Scalar energy_kept(const Vec& dp, const Scalar& mu) {
-    using std::ldexp;
-    const int shift = comfortable_shift<Scalar, D>(dp);
-    if (shift == 0) return dp.squaredNorm() / mu / Scalar(2);
-    return ldexp(Scalar(shifted<Scalar, D>(dp, shift).squaredNorm() / mu / Scalar(2)), -2 * shift);
+    return square_over<Scalar, D>(dp, mu) / Scalar(2);
   }
 
   /// A sum of finite masses is finite, and so is a time that a finite one ends. The weights of eq. (6) are

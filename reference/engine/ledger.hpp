@@ -62,7 +62,8 @@ struct Ledger {
   /// Adds what rounding may have done at one event to a particle of mass m, whose velocity it changes:
   /// 64 u m s to a momentum and 64 u m s max(s, s_V) to an energy, u = ε/2, s = |v| + |v'|,
   /// s_V = |v − V| + |v' − V|. docs/ledger.md counts the roundings.
-  /// Where products underflow, each rounding loses up to the smallest number, of m v or of m times v².
+  /// Where products underflow, each rounding loses up to the smallest number: of m v, of m times v², or of an
+  /// impulse times a speed.
   void add_rounding(const Scalar& mass, const Vector<Scalar, D>& before, const Vector<Scalar, D>& after,
                     const Vector<Scalar, D>& V) {
     using Limits = std::numeric_limits<Scalar>;
@@ -72,7 +73,8 @@ struct Ledger {
     const Scalar units = Scalar(kRoundings / 2) * Limits::epsilon();
     const Scalar underflow = Scalar(kRoundings) * Limits::denorm_min() * (Scalar(1) + mass);
     momentum_bound += units * (mass * speeds) + underflow;
-    energy_bound += units * (mass * speeds * larger) + underflow;
+    energy_bound +=
+        units * (mass * speeds * larger) + underflow + Scalar(kRoundings) * Limits::denorm_min() * larger;
   }
 
   /// Adds what directed rounding did to a velocity: m |v' − v| to a momentum, and m |v' − v| (|v'| + |v|) to

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/engine/world.hpp"
+#include "reference/equations/weighted_square.hpp"
 
 namespace tps {
 
@@ -13,7 +14,7 @@ Scalar push_from_outside(World<Scalar, D>& world, int i, const Vector<Scalar, D>
   record.dp = J;
   const Scalar body_mass = world.coupling->body_mass(world, i);
   const Vector<Scalar, D> v = world.velocity(i) - world.frame_velocity();
-  const Scalar work = J.dot(v) + J.squaredNorm() / body_mass / Scalar(2);
+  const Scalar work = J.dot(v) + square_over<Scalar, D>(J, body_mass) / Scalar(2);
   world.ledger.work += work;
   world.ledger.add_from_outside(J);
   world.coupling->push(world, i, J, record);

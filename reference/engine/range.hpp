@@ -77,6 +77,7 @@ void require_range(const Ledger<Scalar, D>& ledger) {
   require(ledger.lost.value(), "the energy lost in collisions");
   require(ledger.stored.value(), "the energy stored in groups");
   require(ledger.work.value(), "the work of impulses from outside");
+  require(ledger.kinetic_at_start + ledger.work.value() - ledger.lost.value(), "the kinetic energy");
   require(ledger.energy_bound, "the square of a speed times a mass");
   require(ledger.momentum_bound, "a speed times a mass");
   for (std::size_t k = 0; k < ledger.from_walls.size(); ++k) {

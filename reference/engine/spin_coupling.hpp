@@ -12,6 +12,7 @@
 #include "reference/engine/energy_share.hpp"
 #include "reference/engine/world.hpp"
 #include "reference/equations/rough_impulse.hpp"
+#include "reference/equations/weighted_square.hpp"
 
 namespace tps {
 
@@ -46,13 +47,13 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   /// Takes up a spin from outside: a full state's.
   void set_spin(int i, const SpinVec& spin) { spins_[World<Scalar, D>::index(i)] = spin; }
 
-  /// ½ Σ I ω².
+  /// ½ Σ I ω², I = K m R².
   Scalar energy(const World<Scalar, D>& world) const {
-    Sum<Scalar> twice;
+    Sum<Scalar> sum;
     for (int i = 0; i < world.size(); ++i) {
-      if (!world.fixed(i)) twice += inertia(world, i) * spin(i).squaredNorm();
+      if (!world.fixed(i)) sum += energy_of_spin(world, i);
     }
-    return twice.value() / Scalar(2);
+    return sum.value();
   }
 
   std::optional<SpinEnergies<Scalar>> spin_energies(const World<Scalar, D>& world) const override {
@@ -88,8 +89,10 @@ class SpinCoupling final : public FreeCoupling<Scalar, D> {
   const Scalar& radius(const World<Scalar, D>& world, int i) const {
     return radii_[World<Scalar, D>::index(world.species(i))];
   }
-  Scalar inertia(const World<Scalar, D>& world, int i) const {
-    return inertia_ratio<Scalar, D>() * world.mass(i) * radius(world, i) * radius(world, i);
+  /// ½ K m |R ω|²: of the surface's speed, since neither R² nor ω² need be in the range of the scalar.
+  Scalar energy_of_spin(const World<Scalar, D>& world, int i) const {
+    const SpinVec surface = radius(world, i) * spin(i);
+    return inertia_ratio<Scalar, D>() * weighted_square<Scalar, kSize>(world.mass(i), surface) / Scalar(2);
   }
 
   /// Infinite masses do not turn. The ledger's bound of a velocity is taken for R ω, too (docs/ledger.md).

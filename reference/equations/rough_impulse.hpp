@@ -94,13 +94,16 @@ RoughImpulse<Scalar, D> rough_impulse(const CollisionFrame<Scalar, D>& frame,
 
 /// What the impulse dp on A at its surface point towards û does to A's spin, (R/I) û × dp = û × dp/(K m R);
 /// B's spin, with B's mass and radius, is changed by the same dp: its own is −dp at −R û. Zero for infinite
-/// masses.
+/// masses. Where K m R is no normal number the velocity û × dp/m is taken first: as many roundings.
 template <typename Scalar, int D>
 Spin<Scalar, D> spin_change(const Vector<Scalar, D>& u_hat, const Vector<Scalar, D>& dp,
                             const std::type_identity_t<Scalar>& mass,
                             const std::type_identity_t<Scalar>& radius,
                             const std::type_identity_t<Scalar>& K = inertia_ratio<Scalar, D>()) {
-  return moment<Scalar, D>(u_hat, dp) / (K * mass * radius);
+  const Scalar lever = K * mass * radius;
+  if (lever >= (std::numeric_limits<Scalar>::min)() && (is_finite(lever) || !is_finite(mass)))
+    return moment<Scalar, D>(u_hat, dp) / lever;
+  return moment<Scalar, D>(u_hat, dp) / mass / (K * radius);
 }
 
 }  // namespace tps

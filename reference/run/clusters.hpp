@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,28 +24,39 @@ template <typename Scalar, int D>
 void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, const std::vector<int>& cluster,
                       ClusterSample& sample) {
   using Vec = Vector<Scalar, D>;
-  using std::sqrt;
+  using std::frexp;
+  using std::ldexp;
+  int exponent = std::numeric_limits<int>::min();
+  for (const int i : cluster) {
+    int own = 0;
+    static_cast<void>(frexp(world.mass(i), &own));
+    exponent = std::max(exponent, own);
+  }
+  const auto weight = [&](int i) { return Scalar(ldexp(world.mass(i), -exponent)); };
   Scalar mass(0);
   Vec centre = Vec::Zero();
   Vec velocity = Vec::Zero();
   for (const int i : cluster) {
-    mass += world.mass(i);
-    centre += world.mass(i) * world.position(i, t);
-    velocity += world.mass(i) * world.velocity(i);
+    mass += weight(i);
+    centre += weight(i) * world.position(i, t);
+    velocity += weight(i) * world.velocity(i);
   }
   centre /= mass;
   velocity /= mass;
-  Scalar spread(0);
-  Scalar agitation(0);
-  for (const int i : cluster) {
-    spread += world.mass(i) * (world.position(i, t) - centre).squaredNorm();
-    agitation += world.mass(i) * (world.velocity(i) - velocity).squaredNorm();
-  }
+  // √(Σ m x²/M): masses and lengths by powers of two, so that no product leaves the range.
+  const auto mean = [&](const auto& of) {
+    Vec largest = Vec::Zero();
+    for (const int i : cluster) largest = largest.cwiseMax(Vec(of(i)).cwiseAbs());
+    const int shift = comfortable_shift<Scalar, D>(largest);
+    Scalar sum(0);
+    for (const int i : cluster) sum += weight(i) * shifted<Scalar, D>(Vec(of(i)), shift).squaredNorm();
+    return static_cast<double>(Scalar(ldexp(Scalar(square_root(Scalar(sum / mass))), -shift)));
+  };
   sample.described = count_species(world.scene, cluster, world.scene.clusters->species);
   sample.particles = static_cast<int>(cluster.size());
-  sample.mass = static_cast<double>(mass);
-  sample.extent = static_cast<double>(Scalar(sqrt(Scalar(spread / mass))));
-  sample.relative_speed = static_cast<double>(Scalar(sqrt(Scalar(agitation / mass))));
+  sample.mass = static_cast<double>(Scalar(ldexp(mass, exponent)));
+  sample.extent = mean([&](int i) { return Vec(world.position(i, t) - centre); });
+  sample.relative_speed = mean([&](int i) { return Vec(world.velocity(i) - velocity); });
   sample.centre_speed = static_cast<double>(norm<Scalar, D>(velocity));
   for (int k = 0; k < D; ++k)
     sample.centre_velocity[static_cast<std::size_t>(k)] = static_cast<double>(velocity[k]);

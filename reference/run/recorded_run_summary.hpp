@@ -63,17 +63,17 @@ void RecordedRun<Scalar, D>::summarise_conservation(RunSummary& s) const {
   s.lost = static_cast<double>(ledger.lost.value());
   s.work = static_cast<double>(ledger.work.value());
   s.energy_remainder = static_cast<double>(remainder);
+  Scalar energy_bound = ledger.energy_bound;
   if (const auto spin = world().coupling->spin_energies(world())) {
     s.spin_at_start = static_cast<double>(spin->at_start);
     s.spin = static_cast<double>(spin->now);
     s.energy_remainder = static_cast<double>(Scalar(remainder + (spin->now - spin->at_start)));
-    const Scalar sum = spin->now + spin->at_start;
-    const Scalar own = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * sum;  // 8 u
-    s.energy_bound = static_cast<double>(own);
+    const Scalar share = Scalar(4) * std::numeric_limits<Scalar>::epsilon();  // 8 u
+    energy_bound += share * spin->now + share * spin->at_start + bound_of_underflow<Scalar>(s.particles);
   }
   const BoundOfSums<Scalar> sums = bound_of_sums(world(), kinetic);
   s.momentum_bound = static_cast<double>(Scalar(ledger.momentum_bound + sums.momentum));
-  s.energy_bound += static_cast<double>(Scalar(ledger.energy_bound + sums.energy));
+  s.energy_bound = static_cast<double>(Scalar(energy_bound + sums.energy));
 }
 
 /// From the run's energies and momenta to those of the scene: times (1 − γs)², times 1 − γs. The bounds are

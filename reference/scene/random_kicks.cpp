@@ -51,10 +51,23 @@ Coordinates random_impulse(const Scene& scene, const Particle& particle, std::ui
   return J;
 }
 
+namespace {
+
+/// √(x/y), also where the quotient is no normal number: then x is taken by an even power of two nearer to y.
+double root_of_quotient(double x, double y) {
+  const double quotient = x / y;
+  if (std::isnormal(quotient)) return std::sqrt(quotient);
+  constexpr int kHalf = 250;
+  const int half = quotient > 1 ? -kHalf : kHalf;
+  return std::ldexp(std::sqrt(std::ldexp(x, 2 * half) / y), -half);
+}
+
+}  // namespace
+
 Coordinates maxwell_velocity(const Scene& scene, const Particle& particle, std::uint32_t n) {
   const Species& species = species_of(scene, particle);
   RandomStream stream = stream_of(scene.seed, Purpose::thermostat, particle.id, n);
-  const double deviation = std::sqrt(species.thermostat.value().kT / species.mass);
+  const double deviation = root_of_quotient(species.thermostat.value().kT, species.mass);
   Coordinates v = normal_vector(stream, scene.dimension);
   for (double& x : v) x *= deviation;
   return v;

@@ -11,6 +11,7 @@
 
 #include "reference/engine/effect.hpp"
 #include "reference/engine/effect_records.hpp"
+#include "reference/engine/energy.hpp"
 #include "reference/engine/spin_coupling.hpp"
 #include "reference/engine/state_numbers.hpp"
 
@@ -25,6 +26,8 @@ class FrictionEffect final : public Effect<Scalar, D> {
   void begin(World<Scalar, D>& world, int) override {
     auto coupling = std::make_unique<SpinCoupling<Scalar, D>>(world.scene, this->energy_share(0));
     coupling_ = coupling.get();
+    if (!is_finite(Scalar(coupling_->energy(world) + kinetic_energy(world))))
+      throw OutOfRange("the energy of motion and spins at the start");
     world.coupling = std::move(coupling);
   }
   void respond(World<Scalar, D>&, const PendingEvent<Scalar>&) override {}

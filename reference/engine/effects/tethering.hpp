@@ -10,6 +10,7 @@
 #include "reference/engine/effect_records.hpp"
 #include "reference/engine/response.hpp"
 #include "reference/equations/tether_response.hpp"
+#include "reference/equations/weighted_square.hpp"
 
 namespace tps::effects {
 
@@ -78,7 +79,7 @@ class Tethering final : public Effect<Scalar, D> {
       return half_mu * (Scalar(1) - law.c_retract * law.c_retract) * c.frame.v_n * c.frame.v_n;
     }
     const Scalar kept = pow(law.c_revolve, Scalar(law.theta_revolve_deg / Scalar(90)));
-    return half_mu * (Scalar(1) - kept) * c.frame.v_AB.squaredNorm();
+    return weighted_square<Scalar, D>(half_mu * (Scalar(1) - kept), c.frame.v_AB);
   }
 
   static bool breaks(World<Scalar, D>& world, const TetheringOfPair& law, const Collision<Scalar, D>& c,
