@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "reference/text/hexfloat.hpp"
 #include "tests/run/traced_run.hpp"
@@ -165,6 +166,31 @@ TEST(Friction, NothingTurnsWithoutIt) {
   EXPECT_GT(violated(checked(with_line(run, "tether", 0, turned)), check::Rule::bystanders) +
                 violated(checked(with_line(run, "kind", 1, turned)), check::Rule::bystanders),
             0U);
+}
+
+// A pair's distance is the sum of its radii rounded in double; spins are turned at the radii themselves. In a
+// scalar wider than double the two differ by many of its roundings.
+TEST(Friction, RadiiWhoseSumIsNoDouble) {
+  std::mt19937 random(3);
+  const auto draw = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int n = 0; n < 60; ++n) {
+    Scene scene = testing::plain_scene(2 + n % 2);
+    scene.duration = 20;
+    scene.species[0].radius = n == 0 ? .3 : draw(.05, .6);
+    const int other = testing::add_species(scene, "other", draw(.1, 9), n == 0 ? .5 : draw(.05, .6));
+    testing::block(scene, 0, other, draw(.5, 1)).friction = FrictionLaw{draw(0, 2), draw(-1, 1)};
+    add_particle(scene, 0, {0, 0, 0}, {1, 0, 0});
+    add_particle(scene, other, {2, draw(-.05, .05), 0}, {-draw(0, 1), 0, 0});
+    set_spin(scene, 0, {draw(-3, 3), draw(-3, 3) * (n % 2), 0});
+    for (const std::string& scalar : scalar_names()) {
+      const testing::TracedRun run = testing::traced(scene, testing::options_for(scalar));
+      ASSERT_EQ(run.events.size(), 1U);
+      const check::CheckReport report = checked(run.bytes);
+      ASSERT_TRUE(report.conforming()) << n << ' ' << scalar << ": " << first_finding(report);
+    }
+  }
 }
 
 }  // namespace

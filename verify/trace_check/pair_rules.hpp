@@ -29,6 +29,14 @@ Number sum_in_scalar(const Number& x, const Number& y, const Precision<Number>& 
   return reading(Instant<Number>{Number(x + y), Number(0)}, precision);
 }
 
+/// The product of two numbers of the scalar, rounded once as the scalar rounds. REQUIRES of a wider scalar
+/// that they are doubles, whose product a Wide holds exactly.
+template <typename Number>
+Number product_in_scalar(const Number& x, const Number& y, const Precision<Number>& precision) {
+  if constexpr (std::is_same_v<Number, double>) return stored<double>(x * y, precision);
+  return reading(Instant<Number>{Number(x * y), Number(0)}, precision);
+}
+
 template <typename Number>
 struct PairRules {
   bool blocks = false;

@@ -51,8 +51,7 @@ class GravityKicks final : public EffectRules<Number> {
     if (event.dv) {
       added = *event.dv;
     } else if (gravity_) {
-      const Vec<W> right = change(c);
-      for (std::size_t k = 0; k < 3; ++k) added[k] = Number(right[k]);
+      added = stored_change(c);
     }
     for (int i = 0; i < model.size(); ++i) {
       if (model.fixed(i)) continue;
@@ -71,6 +70,18 @@ class GravityKicks final : public EffectRules<Number> {
     const W every = W(stored<Number>(gravity_->every, c.model.precision));
     const Vec<W> whole = every * stored_vector(c, gravity_->acceleration);
     return done_ == 0 ? W(0.5) * whole : whole;
+  }
+
+  /// The same as a run stores it: the product rounded once to the scalar, half of it exactly.
+  Vec<Number> stored_change(const Context<Number>& c) const {
+    const Precision<Number>& precision = c.model.precision;
+    const Number every = stored<Number>(gravity_->every, precision);
+    Vec<Number> added;
+    for (std::size_t k = 0; k < 3; ++k) {
+      added[k] = product_in_scalar(every, stored<Number>(gravity_->acceleration[k], precision), precision);
+      if (done_ == 0) added[k] /= Number(2);
+    }
+    return added;
   }
 
   const std::optional<Gravity> gravity_;

@@ -1,6 +1,7 @@
 // Rules order, states and end under drag: the time printed beside the clock s. docs/check.md, "Drag".
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "verify/exact/drag_time.hpp"
@@ -60,7 +61,7 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
   };
   c.tally.demand(
       Rule::end,
-      lifted(end.t).sign() > 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
+      lifted(end.t).sign() >= 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
       [&](Finding& f) {
         f.message = fmt::format("the clock s = {:.17g} is not the last one before the end after {}", s,
                                 shown(Work<Number>(end.duration->hi), 17));
@@ -71,7 +72,8 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
 template <typename Number>
 Instant<Number> last_clock(const Context<Number>& c) {
   const double gamma = c.model.scene.drag->gamma;
-  double s = rounded_quotient<double>({1, 0}, dyadic(gamma), Rounding::down);
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  double s = std::min(rounded_quotient<double>({1, 0}, dyadic(gamma), Rounding::down), kLargest);
   if ((Dyadic{1, 0} - dyadic(gamma) * dyadic(s)).sign() == 0) s = std::nextafter(s, 0.0);
   if (c.model.precision.digits < std::numeric_limits<double>::digits) {
     const auto held = static_cast<float>(s);

@@ -121,13 +121,15 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
   balance.directed = slack_of_parting(c, event, b, false, dp, dp_error, b.loads);
   const W stored = detail::momentum_rounding(c, true, balance) + detail::momentum_rounding(c, false, balance);
   const Vec<W> of_i = W(W(1) / b.inverse_i) * (balance.after_i - balance.before_i);
-  const Vec<W> L = angular - cross(b.r, of_i);
-  const W gap = abs(b.distance() - W(model.rules.of(b.i, b.j).inner)) + W(4) * c.u() * b.distance();
-  const W bound = gap * length(dp) + b.distance() * (W(2) * stored + W(6) * c.u() * length(dp)) +
-                  turned[0].inertia * turned[0].error * W(2) + turned[1].inertia * turned[1].error * W(2);
+  // Δp turns the spins at R_i and R_j, whose sum the pair's distance is to a rounding only: u of the
+  // distance, and where the scalar is wider than the scene's doubles, half an ulp of a double.
+  const W lever = W(model.radius(b.i)) + W(model.radius(b.j)) - b.distance();
+  const Vec<W> L = angular - cross(b.r, of_i) - lever * cross(b.axis(), dp);
+  const W bound = W(2) * b.distance() * stored + turned[0].inertia * turned[0].error * W(2) +
+                  turned[1].inertia * turned[1].error * W(2);
   c.tally.within(Rule::conservation, as_double(W(W(3) * length(L) / bound)), 3, [&](Finding& f) {
-    f.message = fmt::format("{} gain the angular momentum {}, orbit and spin together", c.pair(b.i, b.j),
-                            shown(L, 3));
+    f.message = fmt::format("{} gain the angular momentum {}, orbit and spin together, beyond what Δp gives",
+                            c.pair(b.i, b.j), shown(L, 3));
   });
   // Energy: of the relative motion, ½ m |v_AB|², and of both spins.
   const Vec<W> after = balance.after_j - balance.after_i;
