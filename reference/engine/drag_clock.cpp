@@ -65,12 +65,18 @@ double by_wide_number(double gamma, const Dyadic& rest, double start) {
 }  // namespace
 
 double drag_clock_until(double gamma, double T) {
-  const Wide z = std::isinf(T) ? Wide(kEverything) : Wide(gamma) * Wide(T);
+  const Wide z = Wide(gamma) * Wide(T);
   if (z < ldexp(Wide(1), -60)) return std::nextafter(T, 0.0);  // T (1 − z/2) < s(T) < T
   const Wide power = z < kEverything ? Wide(exp(-z)) : Wide(0);
   const Dyadic s = dyadic(Wide((Wide(1) - power) / Wide(gamma)));
   const double below = rounded_quotient<double>(s, kOne, Rounding::down);
   return (s - dyadic(below)).sign() > 0 ? below : std::nextafter(below, 0.0);
+}
+
+double last_drag_time(double start) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  return start > 0 ? rounded_quotient<double>(dyadic(kLargest) - dyadic(start), kOne, Rounding::down)
+                   : kLargest;
 }
 
 Dyadic drag_factor(double gamma, const Dyadic& s) {

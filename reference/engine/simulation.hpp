@@ -71,10 +71,12 @@ class Simulation {
   /// beyond it.
   Time<Scalar> next_time() { return next_event().time; }
 
-  /// Who has an event which no time of the scalar reaches, where nothing is due before it.
-  std::optional<std::string> beyond_every_time() {
+  /// Who has an event behind `last`, where nothing is due up to it: by default one that no time of the scalar
+  /// reaches.
+  std::optional<std::string> waits_behind(const Time<Scalar>& last = {(std::numeric_limits<Scalar>::max)(),
+                                                                      Scalar(0)}) {
     const std::optional<PendingEvent<Scalar>>& next = next_event().event;
-    if (!next || next->rank < Rank::wall || next->time < Time<Scalar>::never()) return std::nullopt;
+    if (!next || next->rank < Rank::wall || next->time <= last) return std::nullopt;
     if (next->rank == Rank::wall) return particle_name(world_.scene, next->first) + " and a wall";
     return pair_name(world_.scene, next->first, next->second);
   }

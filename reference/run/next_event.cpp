@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reference/engine/simulation.hpp"
+#include "reference/run/end_of_times.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/trace/event_line.hpp"
 
@@ -44,10 +45,12 @@ NextEvent next_event_in(const Scene& scene, const TimingChoice& timing) {
   const double until =
       scene.box ? std::min(scene.duration, longest_search(scene)) : std::numeric_limits<double>::infinity();
   const Time<double> last = clock_until<double>(scene, until);
-  simulation.set_horizon(last);
-  if (const auto who = simulation.beyond_every_time())
-    throw OutOfRange("the time of the next event of " + *who);
+  const bool goes_on = has_times_behind(scene, until, last);
+  simulation.set_horizon(goes_on ? Time<double>::never() : last);
   const Time<double> next = simulation.next_time();
+  const auto who = goes_on ? simulation.waits_behind(last) : simulation.waits_behind();
+  if (who && !(scene.drag && is_never_reached(scene.drag->gamma, next)))
+    throw OutOfRange("the time of the next event of " + *who);
   const bool happens = next != Time<double>::never() && next <= last;
   if (!happens && scene.box && until < scene.duration)
     throw InputError(

@@ -14,8 +14,10 @@
 
 #include "reference/run/audit.hpp"
 #include "reference/run/clusters.hpp"
+#include "reference/run/end_of_times.hpp"
 #include "reference/run/event_batches.hpp"
 #include "reference/run/run.hpp"
+#include "reference/run/sample_data.hpp"
 #include "reference/run/scene_in_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/trace/capture.hpp"
@@ -36,8 +38,11 @@ class RecordedRun {
         simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}, options.detector),
         events_(scene, files_),
         schedule_(scene, scene.duration) {
-    if (resume != nullptr) take_up(*resume);
-    simulation_->set_horizon(horizon_);
+    if (resume != nullptr) {
+      take_up(*resume);
+      require_end_ahead(scene, duration_, horizon_, world().now);
+    }
+    simulation_->set_horizon(asked_until());
     next_ = simulation_->next_time();
     files_.begin(scene, options, state_every_, resume);
     keep_state(false);
@@ -94,7 +99,7 @@ class RecordedRun {
       if (simulation_->stalled()) return EndReason::stalled;
       if (options_.max_events && world().events >= *options_.max_events) return EndReason::max_events;
       if (next_ == Time<Scalar>::never() && end == next_) return reason_of_silence();
-      if (end < next_) return duration_ < kForEver ? EndReason::duration : EndReason::no_more_events;
+      if (end < next_) return duration_ < kForEver ? EndReason::duration : reason_at_the_last_clock();
       const std::uint64_t before = world().events;
       if (!step()) return EndReason::out_of_range;
       if (before / state_every_ != world().events / state_every_) {
@@ -137,10 +142,14 @@ class RecordedRun {
     events_.hand_over();
     files_.settle();  // events name what the simulation holds
     simulation_.emplace(scene_, TimingChoice{options_.timing, options_.certifier}, options_.detector);
-    simulation_->set_horizon(horizon_);
+    simulation_->set_horizon(asked_until());
     restore(*simulation_, *last_state_);
     while (world().events < events) simulation_->step();
     listen();
+  }
+
+  Time<Scalar> asked_until() const {
+    return has_times_behind(scene_, duration_, horizon_) ? Time<Scalar>::never() : horizon_;
   }
 
   void listen() {
@@ -148,8 +157,17 @@ class RecordedRun {
   }
 
   /// No event at any finite time: none at all, or one whose time the scalar does not reach.
-  EndReason reason_of_silence() {
-    const std::optional<std::string> who = simulation_->beyond_every_time();
+  EndReason reason_of_silence() { return reason_of(simulation_->waits_behind()); }
+
+  /// Of a run for ever with drag: what γ s ≥ 1 would bring does not happen, anything else has a time that
+  /// nobody can print.
+  EndReason reason_at_the_last_clock() {
+    if (!has_times_behind(scene_, duration_, horizon_) || is_never_reached(scene_.drag->gamma, next_))
+      return EndReason::no_more_events;
+    return reason_of(simulation_->waits_behind(horizon_));
+  }
+
+  EndReason reason_of(const std::optional<std::string>& who) {
     if (!who) return EndReason::no_more_events;
     out_of_range_ = "the time of the next event of " + *who;
     return EndReason::out_of_range;
@@ -205,35 +223,6 @@ class RecordedRun {
     files_.state([state = last_state_, t = time_of(scene_, world().now)](std::string& text) {
       text.append(tps::write_state(*state, t)).push_back('\n');
     });
-  }
-
-  static std::vector<Hex> sample_data(const ClusterSample& s) {
-    std::vector<Hex> data = {s.occasion,
-                             to_hex(s.t),
-                             std::to_string(s.described),
-                             to_hex(s.extent),
-                             to_hex(s.relative_speed),
-                             to_hex(s.centre_speed),
-                             std::to_string(s.particles),
-                             to_hex(s.mass)};
-    for (const double component : s.centre_velocity) data.push_back(to_hex(component));
-    for (const int size : s.sizes) data.push_back(std::to_string(size));
-    return data;
-  }
-  static ClusterSample sample_from(const std::vector<Hex>& data) {
-    using detail::number_from;
-    ClusterSample s;
-    s.occasion = data.at(0);
-    s.t = number_from<double>(data.at(1));
-    s.described = std::stoi(data.at(2));
-    s.extent = number_from<double>(data.at(3));
-    s.relative_speed = number_from<double>(data.at(4));
-    s.centre_speed = number_from<double>(data.at(5));
-    s.particles = std::stoi(data.at(6));
-    s.mass = number_from<double>(data.at(7));
-    for (std::size_t k = 0; k < 3; ++k) s.centre_velocity[k] = number_from<double>(data.at(8 + k));
-    for (std::size_t n = 11; n < data.size(); ++n) s.sizes.push_back(std::stoi(data[n]));
-    return s;
   }
 
   RunSummary summarise(EndReason reason, const Time<Scalar>& end, double seconds) const;

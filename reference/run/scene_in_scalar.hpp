@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/engine/drag_clock.hpp"
 #include "reference/engine/laws.hpp"
 #include "reference/engine/periodic_box.hpp"
 #include "reference/engine/range.hpp"
@@ -55,6 +56,7 @@ class SceneInScalar {
       judge_breaking("/phases/" + std::to_string(n), scene.phases[n].breaks);
     }
     judge("/duration", options.until.value_or(scene.duration));
+    if (scene.drag) judge_last_time(options.until.value_or(scene.duration));
     if (problems_.empty()) judge_places();
   }
 
@@ -141,6 +143,14 @@ class SceneInScalar {
                                           " and not above the blocking distance " +
                                           told(law.blocking->distance) + remedy());
     }
+  }
+
+  /// Times under drag are printed as doubles, in every scalar.
+  void judge_last_time(double duration) {
+    if (!is_finite(duration) || duration <= last_drag_time(scene_.start_time)) return;
+    add("/duration", "is " + told(duration) + " after the start at " + told(scene_.start_time) +
+                         "; under drag a time is printed as a double, and this sum is none; choose other "
+                         "units, or another start_time");
   }
 
   /// Edges stay wider than two interaction distances, and an end is needed.

@@ -1,6 +1,7 @@
 // The lines of a trace, docs/trace.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -33,11 +34,12 @@ std::string exact_time(double start_time, const Time<Scalar>& t) {
   return text;
 }
 
-/// The last moment of a duration on the clock of a run: under drag s(T) rounded down to the scalar.
+/// The last moment of a duration on the clock of a run: under drag s(T) rounded down to the scalar, T being
+/// at most the last time that can be printed.
 template <typename Scalar>
 Time<Scalar> clock_until(const Scene& scene, double duration) {
   if (!scene.drag) return {Scalar(duration), Scalar(0)};
-  const double s = drag_clock_until(scene.drag->gamma, duration);
+  const double s = drag_clock_until(scene.drag->gamma, std::min(duration, last_drag_time(scene.start_time)));
   const auto held = static_cast<Scalar>(s);
   const bool is_above = static_cast<double>(held) > s;  // of float
   return {is_above ? next_number(held, Rounding::down) : held, Scalar(0)};

@@ -2,6 +2,7 @@
 #include "verify/protocol/conversation.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -241,6 +242,23 @@ TEST(Conversation, GarbageNeverBreaksIt) {
   }
   EXPECT_GT(errors, 500);
   EXPECT_LT(errors, 2000);
+}
+
+// What fails behind the reading of a request is told with its seq: here the system has no file for a trace.
+TEST(Conversation, AnErrorOfOursKeepsTheSeq) {
+  const json scene =
+      json::parse(R"({"tps":1,"dimension":2,"duration":1,"species":{"a":{"mass":1,"radius":1}},)"
+                  R"("particles":[{"species":"a","position":[0,0]}]})");
+  struct rlimit before {};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const struct rlimit none { 0, before.rlim_max };
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  const std::string text =
+      reply_to(json{{"seq", 41}, {"op", "simulate"}, {"in", {{"scene", scene}}}}.dump()).text;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  const json answer = json::parse(text);
+  EXPECT_EQ(answer.at("seq"), 41);
+  EXPECT_EQ(answer.at("error"), "internal") << text;
 }
 
 }  // namespace

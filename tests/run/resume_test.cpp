@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
+#include "reference/run/end_of_times.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
@@ -272,6 +274,38 @@ TEST(Resume, AHeadThatIsNotOursIsRefused) {
   EXPECT_FALSE(resumes(with("\"mass\":1,", "\"mass\":2,"), 30)) << "the checksum of the head";
   EXPECT_FALSE(resumes(with("\"options\"", "\"optoins\""), 30));
   EXPECT_TRUE(resumes(with(",\"version\":\"", ",\"version\":\"of another program "), 30));
+}
+
+// An end by time that the state has behind it is none: nothing is written. At the state's own time it is one.
+TEST(Resume, AnEndBeforeTheStateIsRefused) {
+  for (const std::optional<Drag>& drag : {std::optional<Drag>{}, std::optional<Drag>{Drag{.01}}}) {
+    Scene scene = heavy_scene();
+    scene.drag = drag;
+    RunOptions options = with_states("double", 50);
+    options.trace = scratch("whole.ndjson");
+    options.checkpoint = scratch("whole.checkpoint");
+    const double now = run_scene(scene, options).t;
+    const std::string whole = read_bytes(options.trace);
+    for (const std::string& from : {options.trace, options.checkpoint}) {
+      RunOptions again;
+      again.trace = from == options.trace ? scratch("other.ndjson") : options.trace;
+      write_bytes(scratch("other.ndjson"), "kept");
+      for (const double until : {0., now / 2, now * .75}) {
+        again.until = until;
+        EXPECT_THROW(resume_run(from, again), EndsBeforeState) << until;
+      }
+      again.trace = scratch("other.ndjson");
+      EXPECT_EQ(read_bytes(again.trace), "kept");
+      EXPECT_EQ(read_bytes(options.trace), whole);
+    }
+    RunOptions last;
+    last.trace = scratch("other.ndjson");
+    last.until = std::nextafter(now, HUGE_VAL);  // a clock has a second part
+    const RunSummary summary = resume_run(options.trace, last);
+    EXPECT_EQ(summary.end, "duration");
+    EXPECT_EQ(summary.t, *last.until);
+    EXPECT_GE(summary.events, 50U);
+  }
 }
 
 }  // namespace

@@ -2,12 +2,15 @@
 // theirs is told. The printed time is compared with integers that share no code with it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "reference/engine/drag_clock.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/checked_trace.hpp"
 #include "verify/certified/exact_timing.hpp"
@@ -177,10 +180,47 @@ TEST(DragTime, TheDurationEndsAtTheLastDoubleBeforeIt) {
       EXPECT_TRUE(comes(s)) << gamma << ' ' << T;
       EXPECT_FALSE(comes(std::nextafter(s, HUGE_VAL))) << gamma << ' ' << T;
     }
-    const double last = drag_clock_until(gamma, HUGE_VAL);
+    const double last = drag_clock_until(gamma, last_drag_time(0));
     EXPECT_GT((Dyadic{1, 0} - dyadic(gamma) * dyadic(last)).sign(), 0);
     EXPECT_LE((Dyadic{1, 0} - dyadic(gamma) * dyadic(std::nextafter(last, HUGE_VAL))).sign(), 0);
   }
+}
+
+// Any γ that a double has, with 1/γ and times beyond the largest double, too, and any duration down to the
+// smallest one.
+TEST(Drag, AnyGammaAndDurationRunsAndConforms) {
+  std::mt19937 random(11);
+  const auto power = [&](double low, double high) {
+    return std::pow(10, std::uniform_real_distribution<double>(low, high)(random));
+  };
+  std::map<std::string, int> ends;
+  for (int n = 0; n < 240; ++n) {
+    Scene scene = testing::plain_scene();
+    const double gamma = n % 3 == 0 ? power(-323, -300) : n % 3 == 1 ? power(-300, 300) : power(-2, 2);
+    if (gamma == 0) continue;
+    scene.drag = Drag{gamma};
+    scene.duration = n % 4 == 0 ? 5e-324 : n % 4 == 1 ? power(-300, 300) : HUGE_VAL;
+    scene.start_time = n % 5 == 0 ? 1.5e308 : n % 5 == 1 ? -7 : 0;
+    testing::block(scene, 0, 0, .75);
+    // One pair meets about where 1/γ is, another one far beyond what has a time.
+    const double speed = n % 2 == 0 ? std::clamp(gamma * power(-.5, .5), 1e-310, 1e300) : 1;
+    add_particle(scene, 0, {}, {speed, 0, 0});
+    add_particle(scene, 0, {2, 0, 0});
+    if (n % 7 == 0) add_particle(scene, 0, {-8, .25, 0}, {0x1p-1073 * (1 + n), 0, 0});
+    const std::string scalar = n % 6 == 0 ? "quad" : n % 6 == 1 ? "long-double" : "double";
+    try {
+      const testing::TracedRun run = testing::traced(scene, testing::options_for(scalar));
+      ++ends[run.summary.end];
+      const check::CheckReport report = checked(run.bytes);
+      ASSERT_TRUE(report.conforming()) << n << ' ' << gamma << ' ' << scalar << ": " << first_finding(report);
+    } catch (const InputError& refused) {
+      ++ends["refused"];
+    }
+  }
+  EXPECT_GE(ends["duration"], 60);
+  EXPECT_GE(ends["no_more_events"], 30);
+  EXPECT_GE(ends["out_of_range"], 5);
+  EXPECT_LE(ends["refused"], 60);
 }
 
 }  // namespace

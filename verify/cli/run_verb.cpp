@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "reference/process/interrupt.hpp"
+#include "reference/run/end_of_times.hpp"
 #include "reference/run/resume.hpp"
 #include "reference/run/run.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/number_text.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/cli/named_files.hpp"
@@ -49,6 +51,17 @@ void require_distinct_files(const RunArguments& a) {
   files.require_distinct();
 }
 
+RunSummary resumed(const RunArguments& a, bool& unprotected) try {
+  return resume_run(a.resume, a.options, unprotected);
+} catch (const EndsBeforeState& problem) {
+  throw CLI::ValidationError(
+      "--until",
+      fmt::format("{} is before {}, where the last full state of {} stands (both count from the start){}; "
+                  "give a time from there on, or run its scene from the start",
+                  write_shortest(problem.until), problem.now, printable(a.resume),
+                  a.options.until ? "" : ", and is the scene's duration"));
+}
+
 /// A signal while the scene is read ends the program; from then on it ends the run, and its trace, in good
 /// order.
 RunSummary simulate(RunArguments& a, StartNotice& notice) {
@@ -66,7 +79,7 @@ RunSummary simulate(RunArguments& a, StartNotice& notice) {
   notice.doing(fmt::format("taking up the last full state of {}", a.resume));
   const interrupt::GoodOrder good_order;
   bool unprotected = false;
-  RunSummary summary = resume_run(a.resume, a.options, unprotected);
+  RunSummary summary = resumed(a, unprotected);
   if (unprotected) {
     say("tps: note: the full state of {} has no checksum, as those of older versions: nothing would have "
         "shown damage to it\n",

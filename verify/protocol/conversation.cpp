@@ -101,6 +101,20 @@ Reply answered(const std::string& seq, const JsonValue& request) {
   }
 }
 
+/// What became of a request that cannot be answered, with the seq that is known by then.
+template <typename Answer>
+Reply guarded(const std::string& seq, Answer answer) try {
+  return answer();
+} catch (const InputError& error) {
+  return failed(seq, {"bad_json", message_of(error)});
+} catch (const std::bad_alloc&) {
+  return failed(seq, {"too_large", "not enough memory for this request; give it in smaller parts"});
+} catch (const MissingLibrary&) {
+  throw;  // no question has an answer then
+} catch (const std::exception& error) {
+  return failed(seq, {"internal", fmt::format("an error of ours, please report it: {}", error.what())});
+}
+
 Reply reply_to_document(const JsonDocument& document) {
   const JsonValue& request = document.root;
   const std::optional<std::string> known_seq = sequence_number(request.find("seq"));
@@ -118,23 +132,13 @@ Reply reply_to_document(const JsonDocument& document) {
   }
   if (const std::optional<Failure> failure = malformed(request, known_seq.has_value()))
     return failed(seq, *failure);
-  return answered(seq, request);
+  return guarded(seq, [&] { return answered(seq, request); });
 }
 
 }  // namespace
 
 Reply reply_to(std::string_view line) {
-  try {
-    return reply_to_document(parse_json(line, kSource));
-  } catch (const InputError& error) {
-    return failed("null", {"bad_json", message_of(error)});
-  } catch (const std::bad_alloc&) {
-    return failed("null", {"too_large", "not enough memory for this request; give it in smaller parts"});
-  } catch (const MissingLibrary&) {
-    throw;  // no question has an answer then
-  } catch (const std::exception& error) {
-    return failed("null", {"internal", fmt::format("an error of ours, please report it: {}", error.what())});
-  }
+  return guarded("null", [&] { return reply_to_document(parse_json(line, kSource)); });
 }
 
 Reply reply_to_long_line(std::string_view beginning) {
