@@ -59,6 +59,8 @@ class Checker {
   void take(const EventLine<Number>& event);
   void take(const StateLine<Number>& state);
   void take(const EndLine<Number>& end);
+  /// There is a line that says the end, but not what an end has to say.
+  void note_unreadable_end() { end_is_unreadable_ = true; }
   /// The trace is over; without an end it was cut off.
   void close();
 
@@ -136,6 +138,7 @@ class Checker {
   BelowRounding below_rounding_;
   bool state_holds_ = false;  ///< the last full state is what the events made
   bool ended_ = false;
+  bool end_is_unreadable_ = false;
 };
 
 }  // namespace tps::check

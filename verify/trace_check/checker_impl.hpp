@@ -272,9 +272,12 @@ void Checker<Number>::take(const StateLine<Number>& state) {
 
 template <typename Number>
 void Checker<Number>::close() {
-  tally_.demand(Rule::end, ended_, [](Finding& f) {
-    f.message =
-        "the trace has no end: the run was killed, or could not write; everything up to here was judged";
+  tally_.demand(Rule::end, ended_, [&](Finding& f) {
+    f.message = end_is_unreadable_
+                    ? "the line that says the end is not what an end is (rule schema): how the run ended was "
+                      "not judged, everything before it was"
+                    : "the trace has no end: the run was killed, or could not write; everything up to here "
+                      "was judged";
   });
 }
 

@@ -48,6 +48,7 @@ class EventDemands {
       tethers();
     } else {
       forbid(e_.i >= 0, "i");
+      forbid(e_.j >= 0, "j");
       forbid(!e_.involved.empty(), "post");
     }
   }

@@ -47,6 +47,9 @@ class LineJudgeOf : public LineJudge {
       Line<Number> read = reading_.read(line.text);
       tally().pass(Rule::schema);
       std::visit([this](auto& parsed) { this->take(parsed); }, read);
+    } catch (const EndProblem& problem) {
+      bad(problem.pointer, problem.what());
+      checker_->note_unreadable_end();
     } catch (const LineProblem& problem) {
       bad(problem.pointer, problem.what());
     }

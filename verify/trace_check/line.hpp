@@ -95,5 +95,10 @@ class LineProblem : public std::runtime_error {
       : std::runtime_error(message), pointer(std::move(pointer_in)) {}
   std::string pointer;
 };
+/// The same of a line that says the end.
+class EndProblem : public LineProblem {
+ public:
+  explicit EndProblem(const LineProblem& problem) : LineProblem(problem) {}
+};
 
 }  // namespace tps::check

@@ -39,7 +39,7 @@ class LineReading<Number>::Json : private EventReading<Number> {
       problem(kLine, "is not an object; a trace has one object a line");
     dom::element ignored;
     if (line["state"].get(ignored) == simdjson::SUCCESS) return state(line, line_text);
-    if (line["end"].get(ignored) == simdjson::SUCCESS) return end(line);
+    if (line["end"].get(ignored) == simdjson::SUCCESS) return end_of(line);
     return this->event(line);
   }
 
@@ -71,6 +71,12 @@ class LineReading<Number>::Json : private EventReading<Number> {
     return state;
   }
 
+  EndLine<Number> end_of(const dom::object& line) const try {
+    return end(line);
+  } catch (const LineProblem& problem) {
+    throw EndProblem(problem);
+  }
+
   EndLine<Number> end(const dom::object& line) const {
     static const std::vector<std::string> keys = {"end", "events", "t", "s"};
     static const std::vector<std::string> reasons = {"duration", "max_events",  "no_more_events",
@@ -87,8 +93,9 @@ class LineReading<Number>::Json : private EventReading<Number> {
       problem(kLine, "is no complete end: {\"end\":reason,\"events\":n,\"t\":…}");
     }
     const bool has_s = line["s"].get(s) == simdjson::SUCCESS;
-    if (has_s != has_drag())
-      problem(has_s ? "s" : "", has_s ? "is for scenes with \"drag\"" : "has no \"s\", as with \"drag\"");
+    if (has_s && !has_drag()) problem("s", "is for scenes with \"drag\"");
+    if (!has_s && has_drag())
+      problem(kLine, "lacks \"s\", the clock at the end, which a trace of a scene with \"drag\" has");
     EndLine<Number> end{std::string(text(reason, Pointer{&kLine, "end"})),
                         count(events, Pointer{&kLine, "events"}),
                         has_s ? clock(s, Pointer{&kLine, "s"}) : instant(t, Pointer{&kLine, "t"}),
