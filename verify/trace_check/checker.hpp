@@ -114,7 +114,9 @@ class Checker {
   void follow_load(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
   W speeds_of(int i, int j) const;
-  void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
+  void begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity,
+                    const W& drift = W(0));
+  void follow_unsaid(const EventLine<Number>& event, int i, const Vec<Number>& velocity);
 
   Model<Number> model_;
   Tally& tally_;

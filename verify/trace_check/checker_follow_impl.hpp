@@ -7,7 +7,8 @@
 namespace tps::check {
 
 template <typename Number>
-void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity) {
+void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const Vec<Number>& velocity,
+                                   const W& drift) {
   const InvolvedParticle<Number>* p = event.of(i);
   const auto recorded = p == nullptr        ? std::optional<Vec<Number>>()
                         : p->position_after ? p->position_after
@@ -27,7 +28,18 @@ void Checker<Number>::begin_flight(const EventLine<Number>& event, int i, const 
               W(2) * model_.precision.u * largest(widened<W>(position));
     }
   }
-  model_.set_flight(i, position, velocity, event.t, blur);
+  model_.set_flight(i, position, velocity, event.t, blur, drift);
+}
+
+/// A velocity that no line says. A minimal trace may be of a program that rounds it otherwise: as v + n g δ,
+/// or with another rounding of the product or the sum. Ours has u of Δv and u of v', theirs up to 2u and u.
+template <typename Number>
+void Checker<Number>::follow_unsaid(const EventLine<Number>& event, int i, const Vec<Number>& velocity) {
+  if (!minimal_) return begin_flight(event, i, velocity);
+  const Flight<Number>& before = model_.flight(i);
+  const Vec<W> change = widened<W>(velocity) - widened<W>(before.velocity);
+  const W rounding = W(3) * length(change) + W(2) * length(widened<W>(velocity));
+  begin_flight(event, i, velocity, W(before.drift + model_.precision.u * rounding));
 }
 
 template <typename Number>
@@ -45,7 +57,8 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   node->dp_exact = expected_.response.dp - added;
   if (!node->recorded) {
     node->dp_error = W(expected_.roundings) * expected_.response.error +
-                     W(6) * model_.precision.u * (length(expected_.response.dp) + length(added));
+                     W(6) * model_.precision.u * (length(expected_.response.dp) + length(added)) +
+                     bodies_->mu * bodies_->drift();
   }
   const W zero(0);
   const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero
@@ -119,7 +132,7 @@ void Checker<Number>::follow(const EventLine<Number>& event, const std::vector<i
   }
   if (EffectRules<Number>* effect = model_.effect_of(event.kind)) {
     effect->follow(context_, event,
-                   [&](int i, const Vec<Number>& velocity) { begin_flight(event, i, velocity); });
+                   [&](int i, const Vec<Number>& velocity) { follow_unsaid(event, i, velocity); });
     if (effect->next(context_)) effect->pass(context_);
   }
   model_.now = event.t;

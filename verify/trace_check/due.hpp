@@ -16,6 +16,7 @@ template <typename W>
 struct RelativeFlight {
   Vec<W> r, v;
   W blur{0};
+  W drift{0};  ///< how far v may be off
 };
 
 /// The question of eq. (2): reach the limit L from outside (inner limit) or from inside (outer limit).
@@ -69,7 +70,7 @@ Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& 
   const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
   q.blur_error = W(2) * (L + flight.blur) * flight.blur;
   q.q_error = scale * (rounding + q.blur_error);
-  q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed);
+  q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed + flight.drift * distance);
   return q;
 }
 

@@ -23,6 +23,7 @@ struct Flight {
   Instant<Number> since;
   Work<Number> blur{0};      ///< how far the position may be off: where the trace does not record it
   std::uint64_t events = 0;  ///< of the run when it began
+  Work<Number> drift{0};     ///< how far the velocity may be off: where no line says it
 };
 
 template <typename Number>
@@ -129,13 +130,14 @@ class Model {
   /// |t| |v|) + 2 u |v| (t − t₀) after n events, |x| at its ends, since the flight is straight.
   W blur(int i) const {
     const Flight<Number>& f = flight(i);
-    if (!eager || fixed(i)) return f.blur;
+    const W known = f.drift > W(0) ? W(f.blur + f.drift * elapsed(f.since, asked)) : f.blur;
+    if (!eager || fixed(i)) return known;
     const W n(events + 1 - std::min(f.events, events));
     const W speed = length(widened<W>(f.velocity));
     const W dt = elapsed(f.since, asked);
     const W farthest = std::max(length(widened<W>(f.position)), length(position(i, asked)));
     const W times = W(scene.start_time < 0 ? -scene.start_time : scene.start_time) + W(asked.hi);
-    return f.blur + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
+    return known + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
   }
 
   /// How far position(i, t) may be from where a run has a particle that it does not record there: blur, and
@@ -166,12 +168,12 @@ class Model {
 
   /// Begins a new flight. A fixed particle keeps its own.
   void set_flight(int i, const Vec<Number>& position, const Vec<Number>& velocity, const Instant<Number>& t,
-                  const W& blur) {
+                  const W& blur, const W& drift = W(0)) {
     if (fixed(i)) return;
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
-    f = {position, velocity, t, blur, events + 1};
-    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, blur == W(0));
+    f = {position, velocity, t, blur, events + 1, drift};
+    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, blur == W(0) && drift == W(0));
   }
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }

@@ -17,11 +17,12 @@ struct PairFlight {
   Instant<Number> start;
   Vec<Number> u_i, u_j, v_i, v_j;
   Work<Number> blur{0};      ///< how far the distance of the two may be off
+  Work<Number> drift{0};     ///< how far their relative velocity may be off
   Vec<Number> image, edges;  ///< j is meant displaced by so many edges of a periodic box
 
   RelativeFlight<Work<Number>> relative() const {
     using W = Work<Number>;
-    return {widened<W>(u_j) + shift() - widened<W>(u_i), widened<W>(v_j) - widened<W>(v_i), blur};
+    return {widened<W>(u_j) + shift() - widened<W>(u_i), widened<W>(v_j) - widened<W>(v_i), blur, drift};
   }
   Vec<Work<Number>> shift() const {
     using W = Work<Number>;
@@ -67,6 +68,7 @@ PairFlight<Number> pair_flight(const Model<Number>& model, int i, int j) {
   PairFlight<Number> pair;
   pair.start = a.since < b.since ? b.since : a.since;
   pair.blur = model.blur(i) + model.blur(j);
+  pair.drift = a.drift + b.drift;
   pair.u_i = carried(a, pair.start, model.precision, pair.blur);
   pair.u_j = carried(b, pair.start, model.precision, pair.blur);
   pair.v_i = a.velocity;

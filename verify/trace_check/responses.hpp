@@ -61,12 +61,12 @@ Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored
   const bool acts = outer ? v_n > W(0) : v_n < W(0);
   const W speed = length(b.v);
   const W turn = detail::turn_of_axis(b);
-  const W rounding =
-      (W(1) + c) * b.mu * u * (W(8) * speed + W(13 + 2 * b.loads) * abs(v_n)) / W(kRoundingsOfImpulse);
+  const W rounding = (W(1) + c) * b.mu * (u * (W(8) * speed + W(13 + 2 * b.loads) * abs(v_n)) + b.drift()) /
+                     W(kRoundingsOfImpulse);
   // û and v_n û turn with the axis; by a right angle and more everything is possible.
   const W turned = (W(1) + c) * b.mu * std::min(W(W(2) * speed * turn), W(W(2) * speed));
   Response<W> response{{}, b.v, rounding + turned / W(kRoundingsOfImpulse), rounding, W(0)};
-  const W wider = std::min(W(abs(v_n) + across * turn), speed);
+  const W wider = std::min(W(abs(v_n) + across * turn), speed) + b.drift();
   response.lost_by_turning = b.mu / W(2) * (W(1) - c * c) * std::max(W(0), W(wider * wider - v_n * v_n));
   if (!acts) return response;
   response.dp = W((W(1) + c) * b.mu * v_n) * b.axis();
@@ -91,14 +91,16 @@ Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number
   const W sine = rules.tan_theta * cosine;
   const W after = rules.speed_ratio * speed;
   const W sensitivity = W(1) + rules.exponent_of_ratio / W(4);
-  const W length_error = b.mu * u * (speed + after * sensitivity + W(b.loads) * (speed + after) / W(6));
+  const W of_drift = b.drift() * (W(1) + rules.speed_ratio) / W(kRoundingsOfImpulse);
+  const W length_error =
+      b.mu * (u * (speed + after * sensitivity + W(b.loads) * (speed + after) / W(6)) + of_drift);
   const W anywhere = W(2) * after * cosine;
   const W turn = detail::turn_of_axis(b);
   const Vec<W> w_hat = across > W(0) ? W(W(1) / across) * w : detail::any_across(b.axis());
   const Vec<W> v_after = W(after * cosine) * w_hat - W(after * sine) * b.axis();
   W turned = anywhere;
   if (across > W(0)) {
-    const W of_w = W(kRoundingsOfImpulse) * u * speed / across + W(2) * turn * speed / across;
+    const W of_w = (W(kRoundingsOfImpulse) * u * speed + W(2) * turn * speed + W(2) * b.drift()) / across;
     turned = std::min(anywhere, W(after * cosine * of_w));
   }
   turned = turned + std::min(W(W(2) * turn), W(2)) * after * sine;
@@ -126,7 +128,8 @@ Loaded<Work<Number>> by_eq6(const BodiesNow<Number>& b, const Work<Number>& u) {
   const W weight_j = b.inverse_i / sum;
   const W rounding = W(kRoundingsOfLoad) * (weight_i * largest(b.v_i) + weight_j * largest(b.v_j));
   return {weight_i * b.v_i + weight_j * b.v_j,
-          u * (rounding + W(b.loads) * weight_i * weight_j * largest(b.v))};
+          u * (rounding + W(b.loads) * weight_i * weight_j * largest(b.v)) + weight_i * b.drift_i +
+              weight_j * b.drift_j};
 }
 
 /// What a collision should do: of a broken tether, what it would have done.

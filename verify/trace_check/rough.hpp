@@ -42,10 +42,10 @@ Rough<Work<Number>> rough_of(const BodiesNow<Number>& b, const PairRules<Number>
   const W normal = (W(1) + W(rules.c_rebound)) * b.mu * v_n;
   const W holding = (W(1) + W(rules.beta0)) * mass * speed;
   const W most = W(rules.mu) * normal;
-  const W of_g = W(18) * u * G + W(2) * turn * G;
+  const W of_g = W(18) * u * G + W(2) * turn * G + b.drift();
   const W of_holding = (W(1) + W(rules.beta0)) * mass * (of_g + W(8) * u * speed);
   const W of_most = W(rules.mu) * (W(1) + W(rules.c_rebound)) * b.mu *
-                    (u * (W(9) * length(b.v) + W(10) * v_n) + W(2) * turn * length(b.v));
+                    (u * (W(9) * length(b.v) + W(10) * v_n) + W(2) * turn * length(b.v) + b.drift());
   Rough<W> rough{};
   rough.sticks = holding <= most;
   rough.boundary = abs(holding - most) <= of_holding + of_most;

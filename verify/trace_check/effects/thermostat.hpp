@@ -27,7 +27,8 @@ class Thermostat final : public RandomTimes<Number> {
     const W inverse_mass = model.inverse_mass(next.particle);
     const Vec<W> change = v - widened<W>(model.flight(next.particle).velocity);
     const Vec<W> J = (W(1) / inverse_mass) * change;
-    return {J, W(2) * c.u() * largest(J) + model.precision.smallest};
+    const W drift = model.flight(next.particle).drift;
+    return {J, W(2) * c.u() * largest(J) + drift / inverse_mass + model.precision.smallest};
   }
 };
 

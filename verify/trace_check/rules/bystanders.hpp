@@ -1,6 +1,7 @@
 // Rule bystanders: what is not involved does not change; neither does what cannot.
 #pragma once
 
+#include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
 
 namespace tps::check {
@@ -15,7 +16,8 @@ void judge_bystanders(const Context<Number>& c, const EventLine<Number>& event) 
     const Flight<Number>& flight = model.flight(p.particle);
     const auto about = [&](Finding& f) { f.particles = {id}; };
     if (p.velocity_before) {
-      c.tally.demand(Rule::bystanders, *p.velocity_before == flight.velocity, [&](Finding& f) {
+      const bool kept = is_same_velocity(*p.velocity_before, flight.velocity, flight.drift);
+      c.tally.demand(Rule::bystanders, kept, [&](Finding& f) {
         about(f);
         const auto [found, right] = told_apart(*p.velocity_before, flight.velocity, dimension);
         f.message = fmt::format("particle {} comes with velocity {}, but left its last event with {}", id,

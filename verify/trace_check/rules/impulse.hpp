@@ -42,7 +42,8 @@ template <typename Number>
 Work<Number> margin_of_kind(const BodiesNow<Number>& b, const PairRules<Number>& rules,
                             const Work<Number>& u) {
   using W = Work<Number>;
-  return (W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) * (W(rules.c_retract) + rules.tan_theta);
+  return ((W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) + b.drift()) *
+         (W(rules.c_retract) + rules.tan_theta);
 }
 
 /// Whether the kind of a tethering collision is the one that the condition of the paper asks for; on the
@@ -103,7 +104,7 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
 template <typename Number>
 bool is_vague(const Context<Number>& c, const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
   using W = Work<Number>;
-  if (b.blur == W(0)) return false;
+  if (b.blur == W(0) && b.drift() == W(0)) return false;
   const W bound = W(expected.roundings) * expected.response.error;
   if (bound < length(expected.response.dp)) return false;
   c.tally.cannot_tell(Rule::impulse, [&] {
@@ -180,7 +181,11 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
   const W turn = (W(4) * c.u() * std::max(coordinates(b.i), coordinates(b.j)) + b.blur) / b.distance();
   const W speeds = W(2) * (largest(b.v_i) + largest(b.v_j) + after_i + after_j + b.speeds_at_load);
   const W roundings = W(54 + 4 * loads) * c.u() + turn;
-  return directed_slack(c, b, outer, b.v - inverse * dp, stored, W(after_i + after_j), W(roundings * speeds));
+  DirectedSlack<W> slack = directed_slack(c, b, outer, b.v - inverse * dp, W(stored + b.drift()),
+                                          W(after_i + after_j), W(roundings * speeds + b.drift()));
+  slack.of_i += b.drift_i;
+  slack.of_j += b.drift_j;
+  return slack;
 }
 
 /// v + Δp/m on both sides, each to its rounding and that of a direction.
@@ -203,7 +208,8 @@ void judge_unchanged(const Context<Number>& c, const EventLine<Number>& event) {
   const int dimension = c.model.scene.dimension;
   for (const InvolvedParticle<Number>& p : event.involved) {
     const Vec<Number>& before = p.velocity_before ? *p.velocity_before : c.model.flight(p.particle).velocity;
-    c.tally.demand(Rule::impulse, p.velocity_after == before, [&](Finding& f) {
+    const bool stays = is_same_velocity(p.velocity_after, before, drift_before(c.model, event, p.particle));
+    c.tally.demand(Rule::impulse, stays, [&](Finding& f) {
       const auto [found, right] = told_apart(p.velocity_after, before, dimension);
       f.particles = {c.model.id(p.particle)};
       f.message =
@@ -260,7 +266,7 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
   const Vec<W> kept = dp - b.mu * b.v;
   const W kept_unit = c.u() * (largest(dp) + W(6 + b.loads) / W(6) * b.mu * length(b.v)) +
                       (event.dp ? W(0) : W(expected.roundings / 6) * expected.response.error) +
-                      model.precision.smallest;
+                      b.mu * b.drift() / W(6) + model.precision.smallest;
   c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)), 6,
                  [&](Finding& f) {
                    const auto [found, right] = told_apart(widened<W>(*event.dp_stored), kept, dimension);

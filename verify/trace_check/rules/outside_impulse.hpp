@@ -42,8 +42,10 @@ void judge_pushed(const Context<Number>& c, const EventLine<Number>& event, cons
   for (const InvolvedParticle<Number>& p : event.involved) {
     const Vec<W> before =
         widened<W>(p.velocity_before ? *p.velocity_before : model.flight(p.particle).velocity);
-    judge_velocity_after(c, event, p.particle, before, dp, W(0), model.inverse_mass(event.i),
-                         model.loads(event.i));
+    const W inverse = model.inverse_mass(event.i);
+    const W drift = drift_before(model, event, p.particle);
+    judge_velocity_after(c, event, p.particle, before, dp, inverse > W(0) ? W(drift / inverse) : W(0),
+                         inverse, model.loads(event.i));
   }
 }
 

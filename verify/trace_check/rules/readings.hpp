@@ -34,7 +34,7 @@ Work<Number> unit_of_v_n(const Context<Number>& c, const EventLine<Number>& even
                          const BodiesNow<Number>& b) {
   using W = Work<Number>;
   const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
-  return length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) +
+  return length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) + b.drift() +
          c.model.precision.smallest;
 }
 

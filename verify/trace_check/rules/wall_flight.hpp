@@ -39,6 +39,7 @@ WallFlight<Number> wall_flight(const Context<Number>& c, int i, std::size_t n) {
   PairFlight<Number> pair;
   pair.start = flight.since;
   pair.blur = model.blur(i);
+  pair.drift = flight.drift;
   pair.u_i = flight.position;
   const Flight<Number> of_wall{wall.point, wall.velocity, {}, W(0)};
   pair.u_j =
@@ -67,7 +68,7 @@ WallFlight<Number> wall_flight(const Context<Number>& c, int i, std::size_t n) {
     towards_size += abs(of_v);
   }
   result.gap_error = c.scale() * (W(6) * c.u() * gap_size + pair.blur) + model.precision.smallest;
-  result.towards_error = c.scale() * W(6) * c.u() * towards_size;
+  result.towards_error = c.scale() * (W(6) * c.u() * towards_size + pair.drift);
   return result;
 }
 

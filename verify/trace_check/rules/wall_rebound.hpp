@@ -19,6 +19,7 @@ BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Numbe
   b.j = -1;
   b.v_i = widened<W>(p.velocity_before ? *p.velocity_before : model.flight(event.i).velocity);
   b.v_j = widened<W>(wall.velocity);
+  b.drift_i = drift_before(model, event, event.i);
   b.v = b.v_j - b.v_i;
   b.inverse_i = model.inverse_mass(event.i);
   b.inverse_j = W(0);
@@ -100,7 +101,9 @@ Work<Number> slack_at_wall(const Context<Number>& c, const EventLine<Number>& ev
   const W reach = largest(c.model.position(b.i, event.t)) + length(b.r);
   const W turn = (W(4) * c.u() * reach + b.blur) / b.distance();
   const W most = (W(54) * c.u() + turn) * W(2) * (largest(b.v_i) + after + W(2) * still);
-  return directed_slack(c, b, outer, Vec<W>(b.v - b.inverse_i * dp), stored, W(after + still), most).of_i;
+  return b.drift_i + directed_slack(c, b, outer, Vec<W>(b.v - b.inverse_i * dp), W(stored + b.drift_i),
+                                    W(after + still), W(most + b.drift_i))
+                         .of_i;
 }
 
 }  // namespace detail
