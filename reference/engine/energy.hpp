@@ -83,7 +83,10 @@ BoundOfSums<Scalar> bound_of_sums(const World<Scalar, D>& world, const Scalar& k
   const ScaledSum<Scalar> mass = mass_in_all(world);
   const Scalar V = norm<Scalar, D>(world.frame_velocity());
   const Scalar share = Scalar(4) * Limits::epsilon();  // 8 u, a power of two
-  const Scalar roots = share * Scalar(square_root(kinetic) + square_root(ledger.kinetic_at_start));
+  // Energies below the normal numbers are short of what they are by as much as their products lost.
+  const Scalar underflow = bound_of_underflow<Scalar>(world.particles.size());
+  const Scalar roots = share * Scalar(square_root(Scalar(kinetic + underflow)) +
+                                      square_root(Scalar(ledger.kinetic_at_start + underflow)));
   const Scalar moving = ldexp(Scalar(square_root(Scalar(2) * mass.value) * roots), mass.exponent / 2);
   Scalar given(0);
   for (int k = 0; k < D; ++k) {
@@ -93,7 +96,6 @@ BoundOfSums<Scalar> bound_of_sums(const World<Scalar, D>& world, const Scalar& k
   const Scalar energies = share * kinetic + share * ledger.kinetic_at_start +
                           share * abs(ledger.stored.value()) + share * abs(ledger.lost.value()) +
                           share * abs(ledger.work.value());
-  const Scalar underflow = bound_of_underflow<Scalar>(world.particles.size());
   const Scalar carried = ldexp(Scalar(share * Scalar(2) * mass.value * V), mass.exponent);
   return {moving + carried + given + underflow, energies + V * moving + underflow};
 }

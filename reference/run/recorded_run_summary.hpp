@@ -93,7 +93,9 @@ void RecordedRun<Scalar, D>::summarise_drag(RunSummary& s, const Time<Scalar>& e
   s.kinetic = static_cast<double>(kinetic);
   s.lost = static_cast<double>(lost);
   s.energy_remainder = static_cast<double>(remainder);
-  const Scalar own = Scalar(16) * std::numeric_limits<Scalar>::epsilon() * at_start;  // 32 u
+  using Limits = std::numeric_limits<Scalar>;
+  const Scalar underflow = Scalar(4) * (Scalar(world().events) + Scalar(2)) * Limits::denorm_min();
+  const Scalar own = Scalar(16) * Limits::epsilon() * at_start + underflow;  // 32 u
   s.energy_bound = f_end * f_end * s.energy_bound + static_cast<double>(own);
   s.momentum_drift *= f_end;
   s.momentum_bound *= f_end;
