@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -11,6 +12,14 @@ namespace tps {
 template <typename Scalar>
 struct Statistics {
   std::map<std::string, std::uint64_t, std::less<>> by_kind;
+  void count(std::string_view kind) {
+    const auto known = by_kind.find(kind);
+    if (known != by_kind.end()) {
+      ++known->second;
+    } else {
+      by_kind.emplace(kind, 1);
+    }
+  }
   /// Rebounds whose approach is no more than what rounding can have made of velocities and axis
   /// (`below_rounding`): in real arithmetic they may be other ones, more, fewer, or none.
   std::uint64_t noise = 0;

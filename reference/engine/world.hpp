@@ -277,7 +277,7 @@ void World<Scalar, D>::close_record(Record<Scalar, D>& record) {
   require_range<Scalar, D>(scene, record);
   require_range<Scalar, D>(ledger);
   last_event = now;
-  ++statistics.by_kind[std::string(record.kind)];
+  statistics.count(record.kind);
   if (sink) sink(record);
 }
 
