@@ -116,9 +116,10 @@ Json case_json(const Case& c) {
 
 Case read_case(const Json& json) {
   try {
-    Case c{json.at("dimension").get<int>(), json.at("hazard").get<std::string>()};
-    if (c.dimension != 2 && c.dimension != 3)
-      throw std::invalid_argument(fmt::format("dimension is {}; allowed: 2, 3", c.dimension));
+    const Json& dimension = json.at("dimension");  // compared as it stands: it may be no int at all
+    if (dimension != 2 && dimension != 3)
+      throw std::invalid_argument(fmt::format("dimension is {}; allowed: 2, 3", tps::shown(dimension)));
+    Case c{dimension == 2 ? 2 : 3, json.at("hazard").get<std::string>()};
     for (const auto& [key, list] : json.at("numbers").items()) {
       for (const Json& x : list) {
         c.numbers[key].push_back(read_number(x, key));

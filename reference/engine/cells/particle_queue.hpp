@@ -153,9 +153,16 @@ class ParticleQueue {
   void file_all_anew() {
     std::vector<int> waiting;
     waiting.reserve(waiting_);
-    for (std::size_t i = 0; i < filed_.size(); ++i) {
-      if (filed_[i].place < kNowhere) waiting.push_back(static_cast<int>(i));
-    }
+    const auto take = [&](const std::vector<int>& entered) {
+      for (const int i : entered) {
+        // Who is in the heap, or was taken before, has a void entry here.
+        if (filed_[index(i)].place >= kNowhere) continue;
+        filed_[index(i)].place = kNowhere;
+        waiting.push_back(i);
+      }
+    };
+    for (std::size_t bin = opened_; bin < bins_.size(); ++bin) take(bins_[bin]);
+    take(behind_);
     bins_.clear();
     behind_.clear();
     waiting_ = entries_ = 0;
