@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 
-#include "reference/run/end_of_times.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
 #include "tests/run/busy_scene.hpp"
+#include "tests/run/heavy_scene.hpp"
 #include "tests/run/traced_run.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/scenes/terminal.hpp"
@@ -18,31 +17,11 @@
 namespace tps {
 namespace {
 
-using testing::add_particle;
-using testing::block;
+using testing::heavy_scene;
 using testing::options_for;
 using testing::read_bytes;
 using testing::scratch;
 using testing::write_bytes;
-
-/// A ball too heavy to notice the light ones that bounce between it and the walls: its velocity never
-/// changes, so that what it has responded to is kept from event to event.
-Scene heavy_scene() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Scene scene = testing::plain_scene();
-  const int heavy = testing::add_species(scene, "heavy", 1e20, .5);
-  const int wall = testing::add_species(scene, "wall", kInfinity, .5);
-  block(scene, 0, heavy);
-  block(scene, 0, wall);
-  add_particle(scene, heavy, {0, 0, 0}, {.001, 0, 0});
-  add_particle(scene, wall, {4, 0, 0});
-  add_particle(scene, wall, {-4, 0, 0});
-  add_particle(scene, wall, {0, 4, 0});
-  add_particle(scene, 0, {0, 2, 0}, {0, 1.75, 0});
-  add_particle(scene, 0, {2, 0, 0}, {1, 0, 0});
-  add_particle(scene, 0, {-2, 0, 0}, {1.375, 0, 0});
-  return scene;
-}
 
 RunOptions with_states(const std::string& scalar, std::uint64_t max_events, std::uint64_t state_every = 7) {
   RunOptions options = options_for(scalar, max_events);
@@ -274,38 +253,6 @@ TEST(Resume, AHeadThatIsNotOursIsRefused) {
   EXPECT_FALSE(resumes(with("\"mass\":1,", "\"mass\":2,"), 30)) << "the checksum of the head";
   EXPECT_FALSE(resumes(with("\"options\"", "\"optoins\""), 30));
   EXPECT_TRUE(resumes(with(",\"version\":\"", ",\"version\":\"of another program "), 30));
-}
-
-// An end by time that the state has behind it is none: nothing is written. At the state's own time it is one.
-TEST(Resume, AnEndBeforeTheStateIsRefused) {
-  for (const std::optional<Drag>& drag : {std::optional<Drag>{}, std::optional<Drag>{Drag{.01}}}) {
-    Scene scene = heavy_scene();
-    scene.drag = drag;
-    RunOptions options = with_states("double", 50);
-    options.trace = scratch("whole.ndjson");
-    options.checkpoint = scratch("whole.checkpoint");
-    const double now = run_scene(scene, options).t;
-    const std::string whole = read_bytes(options.trace);
-    for (const std::string& from : {options.trace, options.checkpoint}) {
-      RunOptions again;
-      again.trace = from == options.trace ? scratch("other.ndjson") : options.trace;
-      write_bytes(scratch("other.ndjson"), "kept");
-      for (const double until : {0., now / 2, now * .75}) {
-        again.until = until;
-        EXPECT_THROW(resume_run(from, again), EndsBeforeState) << until;
-      }
-      again.trace = scratch("other.ndjson");
-      EXPECT_EQ(read_bytes(again.trace), "kept");
-      EXPECT_EQ(read_bytes(options.trace), whole);
-    }
-    RunOptions last;
-    last.trace = scratch("other.ndjson");
-    last.until = std::nextafter(now, HUGE_VAL);  // a clock has a second part
-    const RunSummary summary = resume_run(options.trace, last);
-    EXPECT_EQ(summary.end, "duration");
-    EXPECT_EQ(summary.t, *last.until);
-    EXPECT_GE(summary.events, 50U);
-  }
 }
 
 }  // namespace

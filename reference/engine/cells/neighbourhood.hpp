@@ -266,21 +266,8 @@ class Neighbourhood {
 
   bool is_within_reach(const World<Scalar, D>& world, int i, int j,
                        const RegionPlan::Permanent& partner) const {
-    const double side_i = plan_.levels()[at(level_of(world, i))].side;
-    const double side_j = plan_.levels()[at(level_of(world, j))].side;
-    const double margin = plan_.margin();
-    double nearest = 0;
-    double farthest = 0;
-    for (std::size_t k = 0; k < filed_[at(i)].region.size(); ++k) {
-      const double low_i = filed_[at(i)].region[k] * side_i - margin;
-      const double low_j = filed_[at(j)].region[k] * side_j - margin;
-      const double up = low_j + side_j + 2 * margin - low_i;    // of j above the lowest of i
-      const double down = low_i + side_i + 2 * margin - low_j;  // of i above the lowest of j
-      const double gap = std::max({0.0, -up, -down});
-      nearest += gap * gap;
-      farthest += std::max(up, down) * std::max(up, down);
-    }
-    return nearest < partner.near * std::fabs(partner.near) || farthest > partner.far * partner.far;
+    return plan_.is_within_reach(level_of(world, i), filed_[at(i)].region, level_of(world, j),
+                                 filed_[at(j)].region, partner);
   }
 
   RegionPlan plan_;

@@ -23,7 +23,7 @@ namespace tps {
 /// Law: a particle's bin is a function of its time that never decreases, so nobody who is not in the heap is
 /// due before somebody in an opened bin.
 ///
-/// Schedule: O(1) but for the heap of about a hundred. Memory: at most 5 entries a particle.
+/// Schedule: O(1) but for the heap of about a hundred. Memory: at most 4 entries a particle.
 template <typename Scalar>
 class ParticleQueue {
  public:

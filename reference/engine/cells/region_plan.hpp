@@ -56,6 +56,26 @@ class RegionPlan {
   };
   const std::vector<Permanent>& permanent(int species) const { return permanent_[at(species)]; }
 
+  /// Whether particles of two regions, of levels i and j, can be at a limit of such a pair.
+  template <typename Region>
+  bool is_within_reach(int level_i, const Region& region_i, int level_j, const Region& region_j,
+                       const Permanent& partner) const {
+    const double side_i = levels_[at(level_i)].side;
+    const double side_j = levels_[at(level_j)].side;
+    double nearest = 0;
+    double farthest = 0;
+    for (std::size_t k = 0; k < region_i.size(); ++k) {
+      const double low_i = region_i[k] * side_i - margin_;
+      const double low_j = region_j[k] * side_j - margin_;
+      const double up = low_j + side_j + 2 * margin_ - low_i;    // of j above the lowest of i
+      const double down = low_i + side_i + 2 * margin_ - low_j;  // of i above the lowest of j
+      const double gap = std::max({0.0, -up, -down});
+      nearest += gap * gap;
+      farthest += std::max(up, down) * std::max(up, down);
+    }
+    return nearest < partner.near * std::fabs(partner.near) || farthest > partner.far * partner.far;
+  }
+
   /// Whether in a periodic box two particles that stay in their regions, widened by the margin, can meet by
   /// no image but the one that was nearest (docs/effects.md, "Periodic box"). False where there are no
   /// regions.
