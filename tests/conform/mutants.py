@@ -15,6 +15,7 @@ class Mutant:
     op: str
     equals: str = ""
     kind: str = "WRONG"
+    level: str = "1"
 
     def asked(self):
         """Both timing queries, since their laws ask both."""
@@ -141,6 +142,22 @@ WRONG = [
     Mutant("beta_alone", E, "(1 + beta0) * K", "beta0 * K", "rough_impulse", "β₀ instead of 1 + β₀"),
     Mutant("turns_the_other_way", E, "cross(n, across)", "cross(across, n)", "rough_impulse"),
 ]
+
+# Tolerances where the paper has none: coarse ones are found by the ten cases a file that level 1 asks, fine ones by level 2.
+for size, level in (("1e-3", "1"), ("1e-6", "2"), ("1e-10", "2")):
+    WRONG += [
+        Mutant(f"threshold_off_by_{size}", R, "> slope(theta_revolve_deg) * across:", f"> slope(theta_revolve_deg) * across * (1 + {size}):",
+               "tether_response", level=level),
+        Mutant(f"holds_within_{size}", E, "sticks = factor * slip <= most", f"sticks = factor * slip <= most * (1 + {size})", "rough_impulse", level=level),
+        Mutant(f"wall_within_{size}", E, "if gap <= 0:", f"if gap <= {size} * L:", "wall_time", level=level),
+        Mutant(f"contact_within_{size}", T, "    if c <= 0:", f"    if c <= {size} * L * L:", "block_time", level=level),
+        Mutant(f"receding_within_{size}", T, "if a == 0 or h >= 0:", f"if a == 0 or h >= -{size} * math.sqrt(a) * L:", "block_time", level=level),
+        Mutant(f"taut_within_{size}", T, "if c >= 0 and h >= 0:", f"if c >= -{size} * L * L and h >= 0:", "tether_time", level=level),
+        Mutant(f"ties_within_{size}", T, '"before" if one < other', f'"equal" if one != math.inf and abs(one - other) <= {size} * one else "before" if one < other',
+               "order", level=level),
+        Mutant(f"clock_ends_{size}_early", E, "if gamma * s >= 1:", f"if gamma * s >= 1 - {size}:", "drag_time", level=level),
+    ]
+WRONG.append(Mutant("almost_elastic_is_elastic", R, "(1 + c) * reduced", "(1 + (1 if c > 0.99 else c)) * reduced", "collision_impulse"))
 
 # Right, but by other words or not the same bits.
 RIGHT = [

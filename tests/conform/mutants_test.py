@@ -33,7 +33,7 @@ def report_on(tps, source, mutant, program, *options):
         adapters = pathlib.Path(folder) / "python"
         shutil.copytree(source / "data/adapters/python", adapters, ignore=shutil.ignore_patterns("__pycache__"))
         mutate(adapters, mutant)
-        command = [tps, "conform", "--quiet", "--level", "1", "--cases", "5", "--shrink-seconds", "0", "--format", "json", *options,
+        command = [tps, "conform", "--quiet", "--level", getattr(mutant, "level", "1"), "--cases", "5", "--shrink-seconds", "0", "--format", "json", *options,
                    "--", sys.executable, "-B", "-E", "-S", str(adapters / program)]
         done = subprocess.run(command, capture_output=True, timeout=60)
         if not done.stdout:

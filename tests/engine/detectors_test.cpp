@@ -116,8 +116,6 @@ SceneText cloud(std::uint64_t seed, double speed) {
 constexpr const char* kBalls =
     R"(,"species":{"ball":{"mass":1,"radius":0.5}},"pairs":[{"between":["ball","ball"],"blocking":{"c_rebound":1}}])";
 
-/// The last events of a gas in free space are far apart in time and space, and then there are none: a run
-/// without an end comes to know that.
 /// More than a particle keeps of what is ahead, all at one instant: whatever is asked first, the others are
 /// not behind it.
 TEST(Detectors, SixAtOnceMeetOneThatKeepsThree) {
@@ -133,11 +131,27 @@ TEST(Detectors, SixAtOnceMeetOneThatKeepsThree) {
   expect_one_course<3>(scene, 6);
 }
 
+/// The last events of a gas in free space are far apart in time and space, and then there are none: a run
+/// without an end comes to know that.
 TEST(Detectors, AGasThatExpandsForEver) {
   expect_one_course<3>(cloud(2, 1).scene(R"("dimension":3,"duration":"inf")" + std::string(kBalls)), 60,
                        100000);
   expect_one_course<3>(cloud(3, 1).scene(R"("dimension":3,"duration":1e9)" + std::string(kBalls)), 60,
                        100000);
+}
+
+/// So many that bins of time wait: a dense gas in a periodic box, and one that flies apart, whose times
+/// spread over decades.
+TEST(Detectors, ManyBinsOfTime) {
+  SceneText text(5);
+  for (int x = 0; x < 24; ++x) {
+    for (int y = 0; y < 24; ++y)
+      text.particle("ball", {1.25 * x, 1.25 * y}, {text.between(-1, 1), text.between(-1, 1)});
+  }
+  const std::string balls = kBalls;
+  expect_one_course<2>(text.scene(R"("dimension":2,"duration":2,"box":{"periodic":[30,30]})" + balls), 1000,
+                       1500);
+  expect_one_course<2>(text.scene(R"("dimension":2,"duration":1e9)" + balls), 800, 1500);
 }
 
 /// Regions would be crossed faster than a time can be told from the next.

@@ -94,6 +94,16 @@ Pair near_tie(Random& random) {
   return pair;
 }
 
+/// The limit of the second query beside that tie by 2^-k of it. A pair that turns does so whatever its limit.
+Pair graded_tie(Random& random) {
+  Pair pair;
+  do {
+    pair = exact_tie(random);
+    pair.second.L *= beside_one(random, 5, 45);
+  } while (order_of(pair) == exact::Order::equal);
+  return pair;
+}
+
 std::pair<Pair, Pair> order_twins(Random& random) {
   for (int attempt = 0; attempt < 10000; ++attempt) {
     Pair pair = exact_tie(random);
@@ -119,9 +129,9 @@ Json order_input(const Pair& pair) {
 
 void add_order_strata(std::vector<Stratum>& strata) {
   const std::vector<std::string> accept{"R"};
-  const auto add = [&](const char* name, const char* why, auto pair_of) {
+  const auto add = [&](const char* name, const char* why, auto pair_of, int committed = 100) {
     strata.push_back(
-        {"order", name, why, 100, accept, [name, pair_of](Random& random, std::uint64_t) -> Problem {
+        {"order", name, why, committed, accept, [name, pair_of](Random& random, std::uint64_t) -> Problem {
            return {order_input(pair_of(random)), {name}};
          }});
   };
@@ -133,6 +143,7 @@ void add_order_strata(std::vector<Stratum>& strata) {
   add("exact_tie", "one event in two exact descriptions", exact_tie);
   add("mixed_tie", "a blocking and a tethering event at the same instant", mixed_tie);
   add("near_tie", "an exact tie with one number changed in its last bit", near_tie);
+  add("graded_tie", "an exact tie with one limit changed by 2^-k of it, k from 5 to 45", graded_tie, 30);
   strata.push_back({"order", "twins", "one bit apart on the two sides of a change of order", 120, accept,
                     [](Random& random, std::uint64_t number) -> Problem {
                       const auto [one, other] = order_twins(random);

@@ -44,4 +44,11 @@ class Random {
   std::uint64_t state_;
 };
 
+/// 1 ∓ 2^-k, k from `first` to `last`: so far beside a limit that rounding does not decide, and a tolerance
+/// does.
+inline double beside_one(Random& random, int first, int last) {
+  const double apart = std::ldexp(1.0, -random.integer(first, last));
+  return random.coin() ? 1 + apart : 1 - apart;
+}
+
 }  // namespace tps::vectors

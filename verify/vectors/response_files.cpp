@@ -146,6 +146,38 @@ Encounter near_boundary(Random& random, int dimension) {
   return e;
 }
 
+/// |c_retract v_n| and tan θ |v_ŵ| differ by 2^-k of themselves, along any axis: θ where tan θ has a root at
+/// most, since a library's tangent is its own in the last bit.
+Encounter graded_boundary(Random& random, int dimension) {
+  struct Angle {
+    double degrees, tangent;
+  };
+  const Angle angles[] = {
+      {22.5, std::sqrt(2.0) - 1}, {30, std::sqrt(1 / 3.0)}, {45, 1}, {60, std::sqrt(3.0)}};
+  Encounter e = plain(random, dimension);
+  const Angle angle = angles[random.integer(0, 3)];
+  e.theta_revolve_deg = angle.degrees;
+  e.c_retract = random.uniform(0.25, 1);
+  const double along = random.uniform(0.5, 1);
+  const double across = e.c_retract * along / angle.tangent * beside_one(random, 5, 45);
+  const double x = e.u_B[0] - e.u_A[0], y = e.u_B[1] - e.u_A[1];
+  const double in_plane = std::sqrt(x * x + y * y);  // (−y, x)/in_plane is across r in space, too
+  double squared = 0;
+  for (std::size_t k = 0; k < e.u_A.size(); ++k) squared += (e.u_B[k] - e.u_A[k]) * (e.u_B[k] - e.u_A[k]);
+  const double r = std::sqrt(squared);
+  for (std::size_t k = 0; k < e.u_A.size(); ++k) e.v_B[k] = e.v_A[k] + along * ((e.u_B[k] - e.u_A[k]) / r);
+  e.v_B[0] -= across * (y / in_plane);
+  e.v_B[1] += across * (x / in_plane);
+  return e;
+}
+
+/// Almost elastic: what is lost is 2^-k of what comes back.
+Encounter near_elastic(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
+  for (double* c : {&e.c, &e.c_retract, &e.c_revolve}) *c = 1 - std::ldexp(1.0, -random.integer(2, 45));
+  return e;
+}
+
 Json input_of(const eval::Operation& operation, const Encounter& e) {
   const std::map<std::string, Json> every{{"u_A", hex(e.u_A)},
                                           {"u_B", hex(e.u_B)},
@@ -200,7 +232,9 @@ constexpr Family response_families[] = {
 constexpr Family boundary_families[] = {
     {"boundary", "|c_retract v_n| = tan(theta) |v_w| exactly: either response passes", boundary},
     {"near_boundary", "one bit beside that boundary", near_boundary},
+    {"graded_boundary", "beside that boundary by 2^-k of it, k from 5 to 45", graded_boundary},
 };
+constexpr Family elastic = {"near_elastic", "restitution 1 - 2^-k, k from 2 to 45", near_elastic};
 
 constexpr int kInSpace = 60;
 
@@ -229,6 +263,7 @@ void add_response_strata(std::vector<Stratum>& strata) {
                            "load", "restitution_impulse"}) {
     const eval::Operation& operation = *eval::find_operation(name);
     for (const Family& family : response_families) add_family(strata, operation, family, {"R", "K(16)"});
+    if (operation.op == eval::Op::collision_impulse) add_family(strata, operation, elastic, {"R", "K(16)"});
     if (operation.op != eval::Op::tether_response) continue;
     for (const Family& family : boundary_families) add_family(strata, operation, family, {"R", "K(16)"});
   }

@@ -132,6 +132,50 @@ Rebound near_boundary(Random& random) {
   return x;
 }
 
+/// The speed along û, that of the surfaces across it, and the size of the terms of both.
+struct Slip {
+  double normal, across, terms;
+};
+
+double length(const Numbers& x) {
+  double squared = 0;
+  for (const double component : x) squared += component * component;
+  return std::sqrt(squared);
+}
+
+Slip slip_of(const Rebound& x) {
+  const std::size_t dimension = x.u_A.size();
+  Numbers u(3, 0.0), v(3, 0.0), surface(3, 0.0);
+  for (std::size_t k = 0; k < dimension; ++k) {
+    u[k] = x.u_B[k] - x.u_A[k];
+    v[k] = x.v_B[k] - x.v_A[k];
+  }
+  for (std::size_t k = 0; k < x.spin_A.size(); ++k)
+    surface[dimension == 2 ? 2 : k] = x.R_A * x.spin_A[k] + x.R_B * x.spin_B[k];
+  const double r = length(u);
+  for (double& component : u) component /= r;
+  const double normal = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  Numbers g_t(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    g_t[k] = v[k] - normal * u[k] - (surface[l] * u[m] - surface[m] * u[l]);
+  }
+  return {normal, length(g_t), length(v) + length(surface)};
+}
+
+/// The limits of friction differ by 2^-k of themselves, along any axis.
+Rebound graded_boundary(Random& random) {
+  for (;;) {
+    Rebound x = plain_in(random, random.integer(2, 3));
+    const double off = beside_one(random, 5, 45);
+    const Slip slip = slip_of(x);
+    if (std::fabs(slip.normal) < slip.terms / 8 || slip.across < slip.terms / 8) continue;
+    const double kappa = x.u_A.size() == 2 ? 1.0 / 3 : 2.0 / 7;
+    x.mu = kappa * (1 + x.beta0) * slip.across / ((1 + x.c) * std::fabs(slip.normal)) * off;
+    return x;
+  }
+}
+
 Rebound float32(Random& random) {
   Rebound x = plain(random);
   for (Numbers* vector : {&x.u_A, &x.u_B, &x.v_A, &x.v_B, &x.spin_A, &x.spin_B}) {
@@ -160,6 +204,8 @@ constexpr Family families[] = {
     {"boundary", "both limits of friction are equal: either word passes", boundary},
     {"near_boundary", "one bit beside that boundary", near_boundary},
     {"float32", "every number exact in single precision", float32},
+    {"graded_boundary", "the limits of friction differ by 2^-k of themselves, k from 5 to 45",
+     graded_boundary},
 };
 
 /// A spin of the plane is a number.

@@ -63,7 +63,7 @@ void add_timing_strata(std::vector<Stratum>& strata) {
   for (const Kind kind : {Kind::block, Kind::tether}) {
     const std::string op = kind == Kind::block ? "block_time" : "tether_time";
     for (const exact::strata::TimingStratum& family : exact::strata::timing_strata()) {
-      const int in_space = family.name == "graze" ? 300 : 125;
+      const int in_space = family.name == "graze" ? 300 : family.name == "graded_limit" ? 60 : 125;
       strata.push_back(
           {op, std::string(family.name), std::string(family.why), in_space + kInThePlane, accept,
            [kind, family, in_space](Random& random, std::uint64_t number) -> Problem {

@@ -134,6 +134,19 @@ TimingQuery planar(Random& random, Kind kind, int /*dimension*/) {
   return query;
 }
 
+/// Beside the limit by 2^-k of it, and beside perpendicular by 2^-j: what a tolerance takes for contact, or
+/// for neither coming nor going.
+TimingQuery graded_limit(Random& random, Kind kind, int dimension) {
+  TimingQuery query = plain(random, kind, dimension);
+  query.L = distance(query) / beside_one(random, 5, 45);
+  const int j = random.integer(0, 45);
+  const double towards = random.coin() ? std::ldexp(1.0, -j) : -std::ldexp(1.0, -j);
+  const double x = query.u_B[0] - query.u_A[0], y = query.u_B[1] - query.u_A[1];
+  query.v_A = {0, 0, 0};
+  query.v_B = {towards * x - y, towards * y + x, towards * (query.u_B[2] - query.u_A[2])};
+  return query;
+}
+
 }  // namespace
 
 TimingQuery plain(Random& random, Kind kind, int dimension) {
@@ -194,7 +207,9 @@ const std::vector<TimingStratum>& timing_strata() {
       {"wide", "every number with an exponent of its own", wide},
       {"subnormal", "integers in units of the smallest double", subnormal},
       {"float32", "every number exact in single precision", float32},
-      {"planar", "z = 0 throughout: a case of the plane", planar}};
+      {"planar", "z = 0 throughout: a case of the plane", planar},
+      {"graded_limit", "at a distance L(1 -+ 2^-k), k from 5 to 45, and all but along the limit",
+       graded_limit}};
   return table;
 }
 

@@ -92,6 +92,13 @@ TimingQuery touching(Random& random) {
   return query;
 }
 
+/// Beside contact by 2^-k of the limit, on its side of the plane.
+TimingQuery graded_limit(Random& random) {
+  TimingQuery query = touching(random);
+  query.L /= beside_one(random, 5, 45);
+  return query;
+}
+
 /// Along the plane but for rounding: n·v is what cancels.
 TimingQuery grazing(Random& random) {
   TimingQuery query = plain(random);
@@ -161,6 +168,7 @@ constexpr Family families[] = {
     {"offset_origin", "plane and particle far from the origin", offset_origin},
     {"any_scale", "lengths times 2^j, velocities times 2^k", any_scale},
     {"float32", "every number exact in single precision", float32},
+    {"graded_limit", "at a distance L(1 -+ 2^-k), k from 5 to 45", graded_limit},
 };
 
 }  // namespace
