@@ -139,11 +139,12 @@ TimingQuery planar(Random& random, Kind kind, int /*dimension*/) {
 TimingQuery graded_limit(Random& random, Kind kind, int dimension) {
   TimingQuery query = plain(random, kind, dimension);
   query.L = distance(query) / beside_one(random, 5, 45);
-  const int j = random.integer(0, 45);
-  const double towards = random.coin() ? std::ldexp(1.0, -j) : -std::ldexp(1.0, -j);
+  const double way =
+      (kind == Kind::tether) == (random.integer(0, 3) > 0) ? 1 : -1;  // three of four to the limit
+  const double apart = way * std::ldexp(1.0, -random.integer(0, 45));
   const double x = query.u_B[0] - query.u_A[0], y = query.u_B[1] - query.u_A[1];
   query.v_A = {0, 0, 0};
-  query.v_B = {towards * x - y, towards * y + x, towards * (query.u_B[2] - query.u_A[2])};
+  query.v_B = {apart * x - y, apart * y + x, apart * (query.u_B[2] - query.u_A[2])};
   return query;
 }
 
