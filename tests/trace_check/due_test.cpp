@@ -151,6 +151,9 @@ TEST(Due, APulledPairComesBackThroughTheInside) {
                LimitAsked<long double>{true, 1, true});
   }();
   EXPECT_TRUE(separating.can_be_none);
+  EXPECT_FALSE(separating.must_be_none);
+  EXPECT_EQ(separating.earliest, 0);
+  EXPECT_LT(separating.latest, 100 * 0x1p-53L);
 }
 
 }  // namespace

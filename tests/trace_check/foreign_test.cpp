@@ -256,5 +256,28 @@ TEST(HonestRuns, ThatWereRefusedOnceConform) {
   conforms("tether_beside_a_break", "double", Timing::certified, 100);
 }
 
+/// A feather that touches a bead just after it was pulled changes no bit of its velocity, and where it is is
+/// rounded anew: beyond its limit and separating, the bead is pulled at once (D23).
+TEST(HonestRuns, OfATautPairWhosePositionIsRoundedAnewConform) {
+  int pulled = 0;
+  for (int n = 0; n < 60; ++n) {
+    Scene scene = testing::plain_scene();
+    const int anchor = testing::add_species(scene, "anchor", HUGE_VAL, 0);
+    const int feather = testing::add_species(scene, "feather", 1e-30, 0);
+    testing::tether(scene, 0, anchor, 1, .5, FormRule::When::permanent).tethering->theta_revolve_deg = .001;
+    testing::block(scene, 0, feather, 1).blocking->distance = .5;
+    const double far = std::ldexp(1.0, 24 + n % 8);
+    testing::add_particle(scene, anchor, {far, 0, 0});
+    testing::add_particle(scene, 0, {far + 1, 0, 0}, {0, 1, 0});
+    testing::add_particle(scene, feather, {far + 1, .5 + 1.8e-5 + 2.5e-7 * n, 0});
+    const Timing timing = n % 2 == 0 ? Timing::stable : Timing::paper;
+    const std::string bytes = trace_bytes(scene, "double", timing, 20);
+    const CheckReport report = checked(bytes);
+    ASSERT_TRUE(report.conforming()) << n << '\n' << report_text(report);
+    pulled += bytes.find("\"revolve\"") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GE(pulled, 30);
+}
+
 }  // namespace
 }  // namespace tps::mutation

@@ -70,6 +70,27 @@ TEST(Friction, HonestRunsConform) {
   EXPECT_GE(slides, 100U);
 }
 
+/// Both are left at rest, or nearly: no error of a velocity is multiplied by one, and the roundings of the
+/// balance itself are what is left.
+TEST(Friction, HeadOnWithoutRestitutionConforms) {
+  std::mt19937_64 random(11);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
+  for (int n = 0; n < 300; ++n) {
+    Scene scene = testing::plain_scene(2 + n % 2);
+    scene.duration = 20;
+    const int other = testing::add_species(scene, "other", between(.1, 9), between(.2, .6));
+    testing::block(scene, 0, other, n % 4 == 3 ? 1e-3 : 0).friction =
+        FrictionLaw{between(0, 2), between(-1, 1)};
+    const double along = between(.1, 1), across = n % 3 == 0 ? std::ldexp(along, -40) : 0;
+    add_particle(scene, 0, {}, {along / 3, across, 0});
+    add_particle(scene, other, {between(1.2, 3), 0, 0}, {n % 5 == 0 ? -along : 0, 0, 0});
+    const testing::TracedRun run = testing::traced(scene, n % 10 == 0 ? "float" : "double");
+    ASSERT_GE(run.events.size(), 1U) << n;
+    const check::CheckReport report = checked(run.bytes);
+    ASSERT_TRUE(report.conforming()) << n << ": " << first_finding(report);
+  }
+}
+
 void add(json& hex, double by) {
   hex = to_hex(std::strtod(hex.get<std::string>().c_str(), nullptr) + by);
 }

@@ -128,8 +128,8 @@ Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   due.latest =
       separates && is_outside ? zero : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) + slack));
   if (!responded) return due;
+  // It is pulled at once where a position was rounded since (D23), and by semantics 1 never.
   due.can_be_none = may_be_outside && q.h >= -q.h_error;
-  due.must_be_none = is_outside && separates;
   if (early == zero)
     due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a + W(2) * slack));
   return due;

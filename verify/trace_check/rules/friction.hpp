@@ -76,6 +76,18 @@ Turned<Number> turned_by(const Context<Number>& c, const EventLine<Number>& even
   return t;
 }
 
+/// Roundings of the balance of energy itself, in W, which alone are left where both bodies come to rest: at
+/// most 64 in each of its terms (docs/check.md, "conservation"), and in J_t those of eq. (4) and of friction.
+template <typename W>
+struct OwnRoundings {
+  W terms{0};     ///< μ |v|² and I ω² before and after, J_t |g_t|
+  W surfaces{0};  ///< speeds of both bodies and of their surfaces, before and after
+
+  W of(const W& error_of_impulse_in_u) const {
+    return W(32) * std::numeric_limits<W>::epsilon() * (terms + error_of_impulse_in_u * surfaces);
+  }
+};
+
 /// Spins after a rebound with friction, whether the surfaces stick, and what motion and spin have together.
 template <typename Number>
 void judge_friction(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
@@ -96,6 +108,7 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
   std::array<Turned<Number>, 2> turned;
   const std::array<int, 2> pair = {b.i, b.j};
   W gained(0), error_of_energy(0);
+  OwnRoundings<W> own;
   Vec<W> angular{};
   for (std::size_t n = 0; n < 2; ++n) {
     if (!model.keeps_spin(pair[n])) continue;
@@ -110,6 +123,8 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
                                              model.id(pair[n]), found, wanted);
                    });
     gained += t.inertia / W(2) * (dot(t.after, t.after) - dot(t.before, t.before));
+    own.terms += W(8) * t.inertia * (dot(t.after, t.after) + dot(t.before, t.before));
+    own.surfaces += W(model.radius(pair[n])) * (length(t.after) + length(t.before));
     const W lever = t.inertia > W(0) ? W(model.radius(pair[n])) / t.inertia : W(0);
     const W off = t.error + lever * W(expected.roundings) * expected.response.error;
     error_of_energy += t.inertia * (length(t.after) * off + off * off);
@@ -140,8 +155,10 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
   const W speed_error = square_root(W(model.scene.dimension)) *
                         (stored * (b.inverse_i + b.inverse_j) +
                          (b.inverse_i + b.inverse_j) * W(expected.roundings) * expected.response.error);
+  own.terms += b.mu * (W(3) * dot(b.v, b.v) + dot(after, after));
+  own.surfaces += length(b.v) + length(after);
   const W energy_bound = b.mu * (length(after) * speed_error + speed_error * speed_error) + error_of_energy +
-                         model.precision.smallest;
+                         own.of(expected.response.error / c.u()) + model.precision.smallest;
   const W off = motion + gained + normal + rough.lost;
   c.tally.within(Rule::conservation, as_double(W(W(3) * abs(off) / energy_bound)), 3, [&](Finding& f) {
     const auto [found, wanted] = told_apart(W(motion + gained), W(-normal - rough.lost));
