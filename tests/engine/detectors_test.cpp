@@ -154,6 +154,21 @@ TEST(Detectors, ManyBinsOfTime) {
   expect_one_course<2>(text.scene(R"("dimension":2,"duration":1e9)" + balls), 800, 1500);
 }
 
+/// So narrow that a particle has the same neighbours on both sides, by different images.
+TEST(Detectors, NarrowBoxes) {
+  for (int n = 0; n < 6; ++n) {
+    SceneText text(20 + static_cast<std::uint64_t>(n));
+    const double width = 2.5 + 0.5 * n;
+    for (int y = 0; y < 40; ++y) {
+      const double x = text.between(0, width), v = text.between(-1, 1);
+      text.particle("ball", {x, 1.25 * y}, {3 * v, text.between(-1, 1)});
+    }
+    std::ostringstream start;
+    start << R"("dimension":2,"duration":20,"box":{"periodic":[)" << width << ",50]}";
+    expect_one_course<2>(text.scene(start.str() + kBalls), 300, 1000);
+  }
+}
+
 /// Regions would be crossed faster than a time can be told from the next.
 TEST(Detectors, SpeedsThatNoRegionHolds) {
   SceneText text = cloud(4, 1);

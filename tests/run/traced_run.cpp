@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -69,7 +71,10 @@ PairLaw& law_of(Scene& scene, int a, int b) {
 
 std::string scratch(const std::string& name) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string path = std::string("tps_") + test->test_suite_name() + "_" + test->name() + "_" + name;
+  // Of this build folder: two of them may be tested at once.
+  const std::size_t folder = std::hash<std::string>()(std::filesystem::current_path().string());
+  std::string path =
+      "tps_" + std::to_string(folder) + "_" + test->test_suite_name() + "_" + test->name() + "_" + name;
   std::replace(path.begin(), path.end(), '/', '_');
   return ::testing::TempDir() + path;
 }

@@ -77,7 +77,7 @@ TEST(Friction, HeadOnWithoutRestitutionConforms) {
   const auto between = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
   for (int n = 0; n < 300; ++n) {
     Scene scene = testing::plain_scene(2 + n % 2);
-    scene.duration = 20;
+    scene.duration = 200;
     const int other = testing::add_species(scene, "other", between(.1, 9), between(.2, .6));
     testing::block(scene, 0, other, n % 4 == 3 ? 1e-3 : 0).friction =
         FrictionLaw{between(0, 2), between(-1, 1)};
