@@ -9,6 +9,7 @@
 
 #include "reference/scene/read_scene.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::mutation {
 namespace {
@@ -120,7 +121,9 @@ void settle(Trace& trace) {
 }
 
 double number(const Json& hex) {
-  return std::strtod(hex.get_ref<const std::string&>().c_str(), nullptr);
+  const std::string& text = hex.get_ref<const std::string&>();
+  const HexFloat exact = parse_hex_float(text);
+  return exact.verdict == HexFloat::Verdict::exact ? exact.value : std::strtod(text.c_str(), nullptr);
 }
 
 Vec numbers(const Json& hexes) {
