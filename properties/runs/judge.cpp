@@ -1,6 +1,8 @@
 #include "properties/runs/judge.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -13,15 +15,39 @@ namespace {
 
 constexpr std::size_t kDigitsOfAPart = std::numeric_limits<Real>::digits / 4;
 
-/// The Real nearest to a number by its first 64 bits and the digit behind them.
-Real leading_part(const HexDigits& number) {
-  const std::string_view digits = std::string_view(number.digits).substr(0, kDigitsOfAPart);
-  Real value = 0;
-  for (const char digit : digits) value = value * 16 + Real(digit <= '9' ? digit - '0' : digit - 'a' + 10);
-  const std::size_t behind = number.digits.size() - digits.size();
-  if (behind > 0 && number.digits[digits.size()] >= '8') value += 1;
-  const Real size = std::ldexp(value, static_cast<int>(number.exponent + 4 * static_cast<long>(behind)));
-  return number.negative ? -size : size;
+std::uint64_t digit_value(char digit) {
+  return static_cast<std::uint64_t>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
+}
+
+/// What is missing from digits to a one before the first of them. REQUIRES that the last one is not 0.
+std::string complement(std::string digits) {
+  for (char& digit : digits) digit = "0123456789abcdef"[15 - digit_value(digit)];
+  digits.back() = "123456789abcdef"[digit_value(digits.back())];
+  return digits;
+}
+
+/// The first digits of a number, rounded to the nearest Real, and what is left.
+struct Parted {
+  Real leading;
+  HexDigits rest;
+};
+
+Parted parted(const HexDigits& number) {
+  const std::string& digits = number.digits;
+  const std::size_t taken = std::min(digits.size(), kDigitsOfAPart);
+  std::uint64_t value = 0;
+  for (const char digit : std::string_view(digits).substr(0, taken)) value = value << 4 | digit_value(digit);
+  Parted parts{Real(value), {number.negative, digits.substr(taken), number.exponent}};
+  if (taken < digits.size() && digits[taken] >= '8') {
+    parts.leading += 1;
+    parts.rest.digits = complement(parts.rest.digits);
+    parts.rest.negative = !number.negative;
+  }
+  parts.rest.digits.erase(0, parts.rest.digits.find_first_not_of('0'));
+  const long places = 4 * static_cast<long>(digits.size() - taken);
+  parts.leading = std::ldexp(parts.leading, static_cast<int>(number.exponent + places));
+  if (number.negative) parts.leading = -parts.leading;
+  return parts;
 }
 
 }  // namespace
@@ -30,9 +56,8 @@ Instant read_instant(std::string_view hex) {
   if (hex == "inf") return {std::numeric_limits<Real>::infinity(), 0};
   const std::optional<HexDigits> number = split_hex(hex);
   if (!number) throw std::invalid_argument("'" + std::string(hex) + "' is no hexadecimal float");
-  const Real hi = leading_part(*number);
-  const HexDigits terms[] = {*number, hex_digits(-hi)};
-  return {hi, leading_part(exact_sum(terms))};
+  const Parted first = parted(*number);
+  return {first.leading, first.rest.digits.empty() ? 0 : parted(first.rest).leading};
 }
 
 Real read_real(std::string_view hex) {

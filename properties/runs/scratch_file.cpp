@@ -5,8 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace tps::properties::runs {
@@ -31,8 +32,9 @@ ScratchFile::~ScratchFile() {
 }
 
 std::string ScratchFile::content() const {
-  std::ifstream in(path_, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream bytes;
+  bytes << std::ifstream(path_, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
 }
 
 }  // namespace tps::properties::runs

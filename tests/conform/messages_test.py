@@ -101,7 +101,10 @@ class Failures(unittest.TestCase):
 
 class Hints(unittest.TestCase):
     def test_who_knows_no_groups_is_told_how_to_be_asked(self):
-        _, found = report("--features", "no-draws,no-phases,no-impulses", "--scenes", "8", "--simulator", f"{sys.executable} -B {ADAPTERS}/paper_loop.py")
+        # Scenes with grouping and without, none of which goes on for thousands of events.
+        _, found = report("--features", "no-draws,no-phases,no-impulses", "--first-scene", "8", "--scenes", "8", "--simulator",
+                          f"{sys.executable} -B {ADAPTERS}/paper_loop.py")
+        self.assertTrue(found["classes"]["RIGHT"] > 0 and found["classes"]["WRONG"] > 0, found["classes"])
         self.assertTrue(found["notes"]["hint"].endswith("--features no-groups"), found["notes"])
 
     def test_who_is_wrong_in_every_scene_gets_no_hint(self):

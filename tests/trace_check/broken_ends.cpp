@@ -22,7 +22,7 @@ Broken end_torn(Trace& trace, std::uint64_t) {
 
 Broken end_miscounts(Trace& trace, std::uint64_t) {
   const std::uint64_t k = number_of_last(trace);
-  trace.lines.back()["events"] = k + 1;
+  trace.lines.change_last()["events"] = k + 1;
   return k;
 }
 
@@ -30,7 +30,7 @@ Broken end_misdated(Trace& trace, std::uint64_t) {
   const std::vector<std::size_t> events = event_lines(trace);
   const double last = since_start(trace, trace.lines[events.back()].at("t"));
   if (last == 0) return {};
-  trace.lines.back()["t"] = clock_time(trace, last / 2);
+  trace.lines.change_last()["t"] = clock_time(trace, last / 2);
   return number_of_last(trace);
 }
 
@@ -39,8 +39,8 @@ Broken event_behind_the_end(Trace& trace, std::uint64_t) {
   if (events.empty()) return {};
   const std::uint64_t k = number_of_last(trace);
   trace.lines.push_back(trace.lines[events.back()]);
-  trace.lines.back()["k"] = k + 1;
-  trace.lines.back()["dt"] = "0x0p+0";
+  trace.lines.change_last()["k"] = k + 1;
+  trace.lines.change_last()["dt"] = "0x0p+0";
   return k;
 }
 

@@ -83,7 +83,7 @@ Broken node_forgotten(Trace& trace, std::uint64_t number) {
 /// The child first, then the root, with the velocities that this leaves at each: the end is the same.
 Broken unwound_from_the_leaves(Trace& trace, std::uint64_t number) {
   const auto followed_by_child = [](const Place& p) {
-    return parts_nested(p) && p.next == &p.event + 1 && is_restitution(*p.next) && p.until_next() == 0;
+    return parts_nested(p) && p.next_follows_at_once() && is_restitution(*p.next) && p.until_next() == 0;
   };
   const auto found = find_event(trace, number, followed_by_child);
   if (!found) return {};
@@ -115,8 +115,8 @@ Broken unwound_from_the_leaves(Trace& trace, std::uint64_t number) {
     }
     return event;
   };
-  trace.lines[found->line] = part(child, **below);
-  trace.lines[found->line + 1] = part(root, *load);
+  trace.lines.change(found->line) = part(child, **below);
+  trace.lines.change(found->line + 1) = part(root, *load);
   settle(trace);
   return number_of(trace, found->line);
 }

@@ -124,7 +124,7 @@ Broken retracted_for_revolved(Trace& trace, std::uint64_t number) {
   const Place place = place_of(trace, *found);
   const double c = coefficient(place);
   set_impulse(trace, place, Vec(place.axis() * ((1 + c) * reduced_mass(place) * place.normal_speed())));
-  trace.lines[found->line]["kind"] = "retract";
+  trace.lines.change(found->line)["kind"] = "retract";
   settle(trace);
   return number_of(trace, found->line);
 }
@@ -144,7 +144,7 @@ Broken revolved_for_retracted(Trace& trace, std::uint64_t number) {
   const Vec direction = tangential - u * (slope * length(tangential));
   const double speed = std::pow(law.c_revolve, law.theta_revolve_deg / 180) * length(v);
   set_impulse(trace, place, Vec((v - direction * (speed / length(direction))) * reduced_mass(place)));
-  trace.lines[found->line]["kind"] = "revolve";
+  trace.lines.change(found->line)["kind"] = "revolve";
   settle(trace);
   return number_of(trace, found->line);
 }

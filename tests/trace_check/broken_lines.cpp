@@ -11,32 +11,32 @@ bool has_pair(const Place& place) {
 Broken unknown_key(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place&) { return true; },
-      [&](std::size_t n, const Retold&) { trace.lines[n]["weight"] = "0x1p+0"; });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n)["weight"] = "0x1p+0"; });
 }
 
 Broken decimal_number(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place&) { return true; },
-      [&](std::size_t n, const Retold&) { trace.lines[n]["dt"] = 0.5; });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n)["dt"] = 0.5; });
 }
 
 Broken not_a_number(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     event["pre"][key(event.at("i"))]["velocity"][0] = "nan";
   });
 }
 
 Broken digits_beyond_the_scalar(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     event["post"][key(event.at("i"))]["velocity"][0] = "0x1.00000000000000000000000000000000000001p+0";
   });
 }
 
 Broken no_such_particle(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     constexpr int kNobody = 2'000'000'000;
     for (const char* when : {"pre", "post"}) {
       Json states = Json::object();
@@ -50,24 +50,26 @@ Broken no_such_particle(Trace& trace, std::uint64_t number) {
 }
 
 Broken pair_turned_round(Trace& trace, std::uint64_t number) {
-  return at_event(trace, number, has_pair,
-                  [&](std::size_t n, const Retold&) { std::swap(trace.lines[n]["i"], trace.lines[n]["j"]); });
+  return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
+    Json& event = trace.lines.change(n);
+    std::swap(event["i"], event["j"]);
+  });
 }
 
 Broken collision_without_impulse(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return is_collision(p.event); },
-      [&](std::size_t n, const Retold&) { trace.lines[n].erase("dp"); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n).erase("dp"); });
 }
 
 Broken unknown_kind(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair,
-                  [&](std::size_t n, const Retold&) { trace.lines[n]["kind"] = "bounce"; });
+                  [&](std::size_t n, const Retold&) { trace.lines.change(n)["kind"] = "bounce"; });
 }
 
 Broken wrong_dimension(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
-    Json& position = trace.lines[n]["pre"][key(trace.lines[n].at("i"))]["position"];
+    Json& position = trace.lines.change(n)["pre"][key(trace.lines[n].at("i"))]["position"];
     if (position.size() == 3) {
       position.erase(2);
     } else {
@@ -79,12 +81,12 @@ Broken wrong_dimension(Trace& trace, std::uint64_t number) {
 Broken break_without_saying_so(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return p.event.at("kind") == "break"; },
-      [&](std::size_t n, const Retold&) { trace.lines[n].erase("tether"); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n).erase("tether"); });
 }
 
 Broken partner_missing(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_pair, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     event["post"].erase(key(event.at("j")));
   });
 }
@@ -92,7 +94,7 @@ Broken partner_missing(Trace& trace, std::uint64_t number) {
 Broken draw_out_of_range(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return p.event.contains("draw"); },
-      [&](std::size_t n, const Retold&) { trace.lines[n]["draw"] = "0x1p+0"; });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n)["draw"] = "0x1p+0"; });
 }
 
 Broken second_header(Trace& trace, std::uint64_t number) {
@@ -104,7 +106,7 @@ Broken second_header(Trace& trace, std::uint64_t number) {
 Broken torn_in_the_middle(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place&) { return true; },
-      [&](std::size_t n, const Retold&) { trace.lines[n] = Json::array({trace.lines[n].at("k")}); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n) = Json::array({trace.lines[n].at("k")}); });
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Broken member_an_ulp_faster(Trace& trace, std::uint64_t number) {
   const Place place = place_of(trace, *found);
   const std::size_t k = *moving_coordinate(place);
   const std::string last = std::to_string(place.event.at("members").back().get<int>());
-  Json& x = trace.lines[found->line]["post"][last]["velocity"][k];
+  Json& x = trace.lines.change(found->line)["post"][last]["velocity"][k];
   x = stepped(trace, x, 1);
   return number_of(trace, found->line);
 }
@@ -43,7 +43,7 @@ Broken member_an_ulp_faster(Trace& trace, std::uint64_t number) {
 Broken member_missing(Trace& trace, std::uint64_t number) {
   const auto several = [](const Place& p) { return makes_a_body(p) && p.event.at("members").size() > 1; };
   return at_event(trace, number, several, [&](std::size_t n, const Retold&) {
-    Json& members = trace.lines[n]["members"];
+    Json& members = trace.lines.change(n)["members"];
     members.erase(members.size() - 1);
   });
 }
@@ -53,7 +53,7 @@ Broken wall_is_member(Trace& trace, std::uint64_t number) {
     return makes_a_body(p) && (p.before.fixed(p.i()) || p.before.fixed(p.j()));
   };
   return at_event(trace, number, on_wall, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     const int wall = before.fixed(event.at("i")) ? event.at("i") : event.at("j");
     auto members = event.at("members").get<std::vector<int>>();
     members.insert(std::ranges::lower_bound(members, wall), wall);
@@ -73,14 +73,14 @@ Vec a_little_more(const Trace& trace, const Json& v) {
 /// Wrong where it is stored, and so at the restitution.
 Broken stored_impulse_off(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, keeps_impulse, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     const Vec stored = a_little_more(trace, event.at("dp_stored"));
     event["dp_stored"] = spelt(trace, stored);
     const auto parted = restitution_of(trace, n);
     if (!parted) return;
-    trace.lines[*parted]["dp"] = event["dp_stored"];
-    part_by(trace, trace.lines[*parted], {before.body_mass(event.at("i")), before.body_mass(event.at("j"))},
-            stored);
+    Json& restitution = trace.lines.change(*parted);
+    restitution["dp"] = event["dp_stored"];
+    part_by(trace, restitution, {before.body_mass(event.at("i")), before.body_mass(event.at("j"))}, stored);
   });
 }
 
@@ -91,7 +91,7 @@ Broken other_impulse_given_back(Trace& trace, std::uint64_t number) {
            p.before.load(p.before.fixed(p.i()) ? p.j() : p.i()) != nullptr;
   };
   return at_event(trace, number, gives_back, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     const auto load = before.load(before.fixed(event.at("i")) ? event.at("j") : event.at("i"));
     const Vec dp = a_little_more(trace, event.at("dp"));
     event["dp"] = spelt(trace, dp);
@@ -112,7 +112,7 @@ Broken load_weights_exchanged(Trace& trace, std::uint64_t number) {
   const Vec v =
       (place.pre(place.i(), "velocity") * m_j + place.pre(place.j(), "velocity") * m_i) / (m_i + m_j);
   for (const Json& member : place.event.at("members")) {
-    trace.lines[found->line]["post"][key(member)]["velocity"] = spelt(trace, v);
+    trace.lines.change(found->line)["post"][key(member)]["velocity"] = spelt(trace, v);
   }
   return number_of(trace, found->line);
 }
@@ -123,7 +123,7 @@ Broken not_loaded(Trace& trace, std::uint64_t number) {
     return makes_a_body(p) && !p.before.load(p.i()) && !p.before.load(p.j());
   };
   return at_event(trace, number, pair_only, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     event.erase("members");
     event.erase("dp_stored");
     part_by(trace, event, {before.mass(event.at("i")), before.mass(event.at("j"))}, numbers(event.at("dp")));
@@ -137,7 +137,7 @@ Broken loaded_without_grouping(Trace& trace, std::uint64_t number) {
            !p.before.fixed(p.j());
   };
   return at_event(trace, number, single, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     event["dp_stored"] = event["dp"];
     event["members"] = {event.at("i"), event.at("j")};
   });

@@ -66,7 +66,7 @@ Broken planned_early(Trace& trace, std::uint64_t number) {
 
 /// All members of the body that is pushed take J/m.
 void push_with(Trace& trace, std::size_t line, const Retold& before, const Vec& J) {
-  Json& event = trace.lines[line];
+  Json& event = trace.lines.change(line);
   const double mass = before.body_mass(event.at("i"));
   for (const auto& [id, state] : event["post"].items()) {
     state["velocity"] = spelt(trace, Vec(numbers(event["pre"][id]["velocity"]) + J / mass));
@@ -88,7 +88,7 @@ Broken push_without_mass(Trace& trace, std::uint64_t number) {
     return mass != 1 && mass < 1e300;
   };
   return at_event(trace, number, heavy, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     const Json J = event.at("dp");
     push_with(trace, n, before, numbers(J) * before.body_mass(event.at("i")));
     event["dp"] = J;
@@ -97,15 +97,16 @@ Broken push_without_mass(Trace& trace, std::uint64_t number) {
 
 Broken other_phase(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, is_phase, [&](std::size_t n, const Retold&) {
-    Json& kind = trace.lines[n]["kind"];
+    Json& kind = trace.lines.change(n)["kind"];
     kind = kind == "phase_begin" ? "phase_end" : "phase_begin";
     settle(trace);
   });
 }
 
 Broken phase_that_is_none(Trace& trace, std::uint64_t number) {
-  return at_event(trace, number, is_phase,
-                  [&](std::size_t n, const Retold&) { trace.lines[n]["phase"] = trace.scene.phases.size(); });
+  return at_event(trace, number, is_phase, [&](std::size_t n, const Retold&) {
+    trace.lines.change(n)["phase"] = trace.scene.phases.size();
+  });
 }
 
 /// An impulse from outside that the scene does not plan: the one before once more.

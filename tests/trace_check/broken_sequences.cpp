@@ -117,7 +117,7 @@ Broken flown_off(Trace& trace, std::uint64_t number) {
 /// A collision, and another at the same time of two others: both were waiting, so that exact order or, in a
 /// tie, ids decide.
 bool collides_with_a_tie(const Place& place) {
-  if (place.next != &place.event + 1 || place.until_next() > 0) return false;
+  if (!place.next_follows_at_once() || place.until_next() > 0) return false;
   if (!is_collision(place.event) || !is_collision(*place.next)) return false;
   for (const char* one : {"i", "j"}) {
     const std::vector<int> body = place.before.body(place.event.at(one));
@@ -131,7 +131,7 @@ bool collides_with_a_tie(const Place& place) {
 
 Broken ties_exchanged(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, collides_with_a_tie, [&](std::size_t n, const Retold&) {
-    std::swap(trace.lines[n], trace.lines[n + 1]);
+    trace.lines.swap(n, n + 1);
     settle(trace);
   });
 }

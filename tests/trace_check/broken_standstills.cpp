@@ -24,13 +24,13 @@ Broken stall_passed_over(Trace& trace, std::uint64_t) {
   for (std::size_t n = 0; n < kMore; ++n) {
     insert_line(trace, behind + n, Json(trace.lines[events[events.size() - kMore + n]]));
   }
-  trace.lines.back()["end"] = "max_events";
+  trace.lines.change_last()["end"] = "max_events";
   settle(trace);
   return k;
 }
 
 Broken progress_misdated(Trace& trace, std::uint64_t) {
-  Json& state = trace.lines[*last_state(trace)];
+  Json& state = trace.lines.change(*last_state(trace));
   if (state.at("state") == 0) return {};
   state["progress_event"] = state.at("progress_event").get<std::uint64_t>() + 1;
   return state.at("state").get<std::uint64_t>();

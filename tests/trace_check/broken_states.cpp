@@ -15,7 +15,7 @@ Broken at_state(Trace& trace, std::uint64_t number, Condition condition, Edit ed
     if (is_state(trace.lines[n]) && condition(trace.lines[n])) states.push_back(n);
   }
   if (states.empty()) return {};
-  Json& state = trace.lines[states[chosen(states.size(), number)]];
+  Json& state = trace.lines.change(states[chosen(states.size(), number)]);
   edit(state);
   return state.at("state").get<std::uint64_t>();
 }
@@ -154,7 +154,7 @@ Broken state_time_off(Trace& trace, std::uint64_t number) {
 Broken state_out_of_place(Trace& trace, std::uint64_t) {
   for (std::size_t n = 0; n + 1 < trace.lines.size(); ++n) {
     if (!is_state(trace.lines[n]) || !is_event(trace.lines[n + 1])) continue;
-    std::swap(trace.lines[n], trace.lines[n + 1]);
+    trace.lines.swap(n, n + 1);
     return trace.lines[n + 1].at("state").get<std::uint64_t>();
   }
   return {};

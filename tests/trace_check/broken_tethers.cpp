@@ -49,7 +49,7 @@ bool breaks(const Place& place) {
 template <typename Condition>
 Broken formed_where(Trace& trace, std::uint64_t number, Condition condition) {
   return at_event(trace, number, condition,
-                  [&](std::size_t n, const Retold&) { trace.lines[n]["tether"] = "formed"; });
+                  [&](std::size_t n, const Retold&) { trace.lines.change(n)["tether"] = "formed"; });
 }
 
 Broken formed_without_law(Trace& trace, std::uint64_t number) {
@@ -78,7 +78,7 @@ Broken formed_against_the_rule(Trace& trace, std::uint64_t number) {
 Broken not_formed(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return forms(p) && form_of(p) == FormRule::When::always; },
-      [&](std::size_t n, const Retold&) { trace.lines[n].erase("tether"); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n).erase("tether"); });
 }
 
 bool forms_by_chance(const Place& place) {
@@ -92,24 +92,24 @@ Broken formed_against_the_draw(Trace& trace, std::uint64_t number) {
 Broken not_formed_against_the_draw(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return forms_by_chance(p) && forms(p); },
-      [&](std::size_t n, const Retold&) { trace.lines[n].erase("tether"); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n).erase("tether"); });
 }
 
 Broken draw_not_recorded(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return p.event.contains("draw"); },
-      [&](std::size_t n, const Retold&) { trace.lines[n].erase("draw"); });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n).erase("draw"); });
 }
 
 Broken draw_for_nothing(Trace& trace, std::uint64_t number) {
   return at_event(
       trace, number, [](const Place& p) { return is_collision(p.event) && !p.event.contains("draw"); },
-      [&](std::size_t n, const Retold&) { trace.lines[n]["draw"] = "0x1p-2"; });
+      [&](std::size_t n, const Retold&) { trace.lines.change(n)["draw"] = "0x1p-2"; });
 }
 
 /// Makes a break of a pull: no impulse, no change of velocities.
 void make_break(Trace& trace, std::size_t line) {
-  Json& event = trace.lines[line];
+  Json& event = trace.lines.change(line);
   event["kind"] = "break";
   event["tether"] = "broken";
   event["post"] = event["pre"];
@@ -152,7 +152,7 @@ Broken held_where(Trace& trace, std::uint64_t number, Condition condition) {
   const double masses[2] = {found->before.body_mass(place.i()), found->before.body_mass(place.j())};
   const double c = found->before.law(place.i(), place.j())->tethering->c_retract;
   const Vec dp = place.axis() * ((1 + c) / (1 / masses[0] + 1 / masses[1]) * place.normal_speed());
-  Json& event = trace.lines[found->line];
+  Json& event = trace.lines.change(found->line);
   event["kind"] = "retract";
   event.erase("tether");
   event["dp"] = spelt(trace, dp);

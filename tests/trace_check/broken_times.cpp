@@ -54,12 +54,12 @@ Broken times_exchanged(Trace& trace, std::uint64_t number) {
   });
   if (!found) return {};
   const Place place = place_of(trace, *found);
-  const std::size_t next = static_cast<std::size_t>(place.next - trace.lines.data());
+  const std::size_t next = place.next_line;
   const double first = since_start(trace, place.event.at("t"));
   const double second = since_start(trace, place.next->at("t"));
   carry_event(trace, found->line, found->before, second);
   carry_event(trace, next, found->before, first);
-  std::swap(trace.lines[found->line], trace.lines[next]);
+  trace.lines.swap(found->line, next);
   settle(trace);
   return number_of(trace, found->line);
 }
@@ -73,13 +73,13 @@ bool is_apart(const Place& place) {
 
 Broken dt_off_by_two_ulps(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, is_apart, [&](std::size_t n, const Retold&) {
-    trace.lines[n]["dt"] = stepped(trace, trace.lines[n].at("dt"), 2);
+    trace.lines.change(n)["dt"] = stepped(trace, trace.lines[n].at("dt"), 2);
   });
 }
 
 Broken time_without_dt(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_room, [&](std::size_t n, const Retold&) {
-    Json& t = trace.lines[n]["t"];
+    Json& t = trace.lines.change(n)["t"];
     t = clock_time(trace, since_start(trace, t) * (1 + std::max(1e-9, 4096 * epsilon(trace))));
   });
 }
@@ -92,7 +92,7 @@ Broken lines_swapped(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, next_is_later, [&](std::size_t n, const Retold&) {
     std::size_t next = n + 1;
     while (!is_event(trace.lines[next])) ++next;
-    std::swap(trace.lines[n], trace.lines[next]);
+    trace.lines.swap(n, next);
   });
 }
 
@@ -106,7 +106,8 @@ Broken time_goes_back(Trace& trace, std::uint64_t number) {
 void count_on(Trace& trace, std::size_t line, int more) {
   for (std::size_t n = line; n < trace.lines.size(); ++n) {
     for (const char* count : {"k", "state", "events"}) {
-      if (trace.lines[n].contains(count)) trace.lines[n][count] = trace.lines[n].at(count).get<int>() + more;
+      if (trace.lines[n].contains(count))
+        trace.lines.change(n)[count] = trace.lines[n].at(count).get<int>() + more;
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "reference/scene/read_scene.hpp"
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/number_text.hpp"
 
 namespace tps::mutation {
 namespace {
@@ -41,27 +42,37 @@ struct Counted {
   std::map<std::string, std::uint64_t> by_kind;
 };
 
-void settle_event(const Trace& trace, Json& line, Counted& so_far, const std::string& start) {
+/// Gives a line another value where it has not got it: only lines that change are copied.
+void put(Trace& trace, std::size_t n, const char* key, const Json& value) {
+  const auto had = trace.lines[n].find(key);
+  if (had == trace.lines[n].end() || *had != value) trace.lines.change(n)[key] = value;
+}
+
+void settle_event(Trace& trace, std::size_t n, Counted& so_far, const std::string& start) {
+  const Json& line = trace.lines[n];
+  const std::string kind = line.at("kind");
   const std::string t = line.at("t");
   const std::string hi = rounded(trace, exact_difference(t, start));
   if (hi != so_far.hi) so_far.progress_event = so_far.events;
-  line["k"] = ++so_far.events;
-  line["dt"] = rounded(trace, exact_difference(t, so_far.t));
+  put(trace, n, "k", ++so_far.events);
+  put(trace, n, "dt", rounded(trace, exact_difference(t, so_far.t)));
   so_far.t = t;
   so_far.hi = hi;
-  ++so_far.by_kind[line.at("kind")];
+  ++so_far.by_kind[kind];
 }
 
-void settle_state(const Trace& trace, Json& line, const Counted& so_far, const std::string& start) {
-  line["state"] = so_far.events;
-  line["t"] = so_far.t;
-  line["now"] = line["last_event"] = two_parts(trace, exact_difference(so_far.t, start));
-  line["progress_event"] = so_far.progress_event;
+void settle_state(Trace& trace, std::size_t n, const Counted& so_far, const std::string& start) {
   std::map<std::string, std::uint64_t> counts = so_far.by_kind;
-  for (const auto& [kind, count] : line.at("counts").items()) {
+  for (const auto& [kind, count] : trace.lines[n].at("counts").items()) {
     if (kind.starts_with('#')) counts[kind] = count;
   }
-  line["counts"] = counts;
+  const Json now = two_parts(trace, exact_difference(so_far.t, start));
+  put(trace, n, "state", so_far.events);
+  put(trace, n, "t", so_far.t);
+  put(trace, n, "last_event", now);
+  put(trace, n, "now", now);
+  put(trace, n, "progress_event", so_far.progress_event);
+  put(trace, n, "counts", counts);
 }
 
 }  // namespace
@@ -70,8 +81,9 @@ Trace trace_of(const std::string& bytes) {
   Trace trace;
   std::istringstream text(bytes);
   for (std::string line; std::getline(text, line);) {
-    trace.lines.push_back(Json::parse(line));
-    trace.lines.back().erase("checksum");  // who tells a lie does not leave a proof of it behind
+    Json said = Json::parse(line);
+    said.erase("checksum");  // who tells a lie does not leave a proof of it behind
+    trace.lines.push_back(std::move(said));
   }
   const Json& head = trace.lines.front();
   trace.scalar = head.at("scalar");
@@ -80,8 +92,7 @@ Trace trace_of(const std::string& bytes) {
 }
 
 std::string text_of(const Trace& trace) {
-  std::string text;
-  for (const Json& line : trace.lines) text += line.dump() + "\n";
+  std::string text = trace.lines.text();
   text.resize(text.size() - trace.torn);
   return text;
 }
@@ -99,18 +110,20 @@ void settle(Trace& trace) {
   Counted so_far;
   so_far.t = start;
   so_far.hi = to_hex(0.);
-  for (Json& line : trace.lines) {
-    if (is_event(line)) settle_event(trace, line, so_far, start);
-    if (is_state(line)) settle_state(trace, line, so_far, start);
-    if (is_end(line)) {
-      line["events"] = so_far.events;
-      if (line.at("end") != "duration") line["t"] = so_far.t;
+  for (std::size_t n = 0; n < trace.lines.size(); ++n) {
+    if (is_event(trace.lines[n])) settle_event(trace, n, so_far, start);
+    if (is_state(trace.lines[n])) settle_state(trace, n, so_far, start);
+    if (is_end(trace.lines[n])) {
+      put(trace, n, "events", so_far.events);
+      if (trace.lines[n].at("end") != "duration") put(trace, n, "t", so_far.t);
     }
   }
 }
 
 double number(const Json& hex) {
-  return std::strtod(hex.get_ref<const std::string&>().c_str(), nullptr);
+  const std::string& text = hex.get_ref<const std::string&>();
+  const HexFloat exact = parse_hex_float(text);
+  return exact.verdict == HexFloat::Verdict::exact ? exact.value : std::strtod(text.c_str(), nullptr);
 }
 
 Vec numbers(const Json& hexes) {

@@ -2,22 +2,21 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <valarray>
 #include <vector>
 
 #include "reference/scene/scene.hpp"
+#include "tests/trace_check/shared_lines.hpp"
 
 namespace tps::mutation {
 
-using Json = nlohmann::ordered_json;
 using Vec = std::valarray<double>;
 
 struct Trace {
   Scene scene;
   std::string scalar;
-  std::vector<Json> lines;
+  SharedLines lines;
   std::size_t torn = 0;  ///< bytes that the file lacks at its end
 };
 

@@ -22,7 +22,7 @@ Broken masses_exchanged(Trace& trace, std::uint64_t number) {
     return p.before.body_mass(p.i()) != p.before.body_mass(p.j());
   };
   return at_event(trace, number, unlike, [&](std::size_t n, const Retold& before) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     part_by(trace, event, {before.body_mass(event.at("j")), before.body_mass(event.at("i"))},
             numbers(event.at("dp")));
   });
@@ -37,7 +37,7 @@ bool moves_j(const Place& place) {
 
 Broken partner_unmoved(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, moves_j, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     const std::string j = key(event.at("j"));
     event["post"][j]["velocity"] = event["pre"][j]["velocity"];
   });
@@ -49,14 +49,14 @@ Broken velocity_after_off(Trace& trace, std::uint64_t number) {
                              1e-4 * dot(p.approach(), p.approach());
   };
   return at_event(trace, number, fast, [&](std::size_t n, const Retold&) {
-    Json& x = trace.lines[n]["post"][key(trace.lines[n].at("j"))]["velocity"][0];
+    Json& x = trace.lines.change(n)["post"][key(trace.lines[n].at("j"))]["velocity"][0];
     x = stepped(trace, x, 1 << 14);
   });
 }
 
 Broken impulse_misreported(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, moves_j, [&](std::size_t n, const Retold&) {
-    Json& dp = trace.lines[n]["dp"];
+    Json& dp = trace.lines.change(n)["dp"];
     dp = spelt(trace, Vec(numbers(dp) * (1 + little(trace))));
   });
 }
@@ -81,7 +81,7 @@ Broken bystander_drifts(Trace& trace, std::uint64_t number) {
   const auto found = find_event(trace, number, has_flier);
   if (!found) return {};
   const int id = *flier(place_of(trace, *found));
-  Json& v = trace.lines[found->line]["pre"][key(id)]["velocity"];
+  Json& v = trace.lines.change(found->line)["pre"][key(id)]["velocity"];
   v = spelt(trace, Vec(numbers(v) * (1 + little(trace))));
   return number_of(trace, found->line);
 }
@@ -94,13 +94,13 @@ Broken teleported(Trace& trace, std::uint64_t number) {
   const int id = *flier(place);
   const Vec from = place.pre(id, "position");
   const std::string x = spelt(trace, from[0] + length(from) * little(trace));
-  for (const char* when : {"pre", "post"}) trace.lines[found->line][when][key(id)]["position"][0] = x;
+  for (const char* when : {"pre", "post"}) trace.lines.change(found->line)[when][key(id)]["position"][0] = x;
   return number_of(trace, found->line);
 }
 
 Broken moved_by_the_event(Trace& trace, std::uint64_t number) {
   return at_event(trace, number, has_flier, [&](std::size_t n, const Retold&) {
-    Json& event = trace.lines[n];
+    Json& event = trace.lines.change(n);
     Json& x = event["post"][key(event.at("i"))]["position"][0];
     const double old = mutation::number(x);
     x = spelt(trace, old + std::max(1., std::abs(old)) * little(trace));
@@ -122,7 +122,7 @@ Broken bystander_pushed(Trace& trace, std::uint64_t number) {
   const auto found = find_event(trace, number, crowded);
   if (!found) return {};
   const int id = *uninvolved(place_of(trace, *found));
-  Json& event = trace.lines[found->line];
+  Json& event = trace.lines.change(found->line);
   const Vec velocity = found->before.flight(id).velocity;
   const Json position = spelt(trace, found->before.position(id, event.at("t")));
   event["pre"][key(id)] = {{"position", position}, {"velocity", spelt(trace, velocity)}};
@@ -137,7 +137,7 @@ Broken old_velocity_kept(Trace& trace, std::uint64_t number) {
   const int j = trace.lines[found->line].at("j");
   const Json old = trace.lines[found->line]["pre"][key(j)]["velocity"];
   for (std::size_t n = found->line + 1; n < trace.lines.size(); ++n) {
-    Json& later = trace.lines[n];
+    Json& later = trace.lines.change(n);
     if (!is_event(later) || !later.contains("pre") || !later["pre"].contains(key(j))) continue;
     later["pre"][key(j)]["velocity"] = old;
     return number_of(trace, n);

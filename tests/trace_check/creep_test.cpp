@@ -35,7 +35,7 @@ Scene sticking_scene(std::mt19937_64& random, bool wall) {
 /// The trace in which the first ball is left with an approach of `share` of its speed.
 Trace sinking(const Scene& scene, Timing timing, double share) {
   Trace trace = run_of(scene, {"double", timing});
-  Json& event = trace.lines[1];
+  Json& event = trace.lines.change(1);
   const Vec before = numbers(event.at("pre").at("0").at("velocity"));
   const Vec beside = numbers(event.at("post").at("1").at("velocity"));
   event["post"]["0"]["velocity"] = spelt(trace, Vec(beside + share * before));

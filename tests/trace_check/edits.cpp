@@ -5,10 +5,6 @@
 namespace tps::mutation {
 namespace {
 
-std::ptrdiff_t offset(std::size_t line) {
-  return static_cast<std::ptrdiff_t>(line);
-}
-
 bool are_pair(const Json& event, int i, int j) {
   return event.value("i", -1) == i && event.value("j", -1) == j;
 }
@@ -20,22 +16,22 @@ std::uint64_t number_of_last(const Trace& trace) {
 }
 
 Broken end_for(Trace& trace, const char* reason) {
-  trace.lines.back()["end"] = reason;
+  trace.lines.change_last()["end"] = reason;
   return number_of_last(trace);
 }
 
 void erase_line(Trace& trace, std::size_t line) {
-  trace.lines.erase(trace.lines.begin() + offset(line));
+  trace.lines.erase(line);
 }
 
 void insert_line(Trace& trace, std::size_t line, Json text) {
-  trace.lines.insert(trace.lines.begin() + offset(line), std::move(text));
+  trace.lines.insert(line, std::move(text));
 }
 
 void cut_behind(Trace& trace, std::size_t line) {
   Json state = trace.lines[*last_state(trace)];
   Json end = trace.lines.back();
-  trace.lines.resize(line + 1);
+  trace.lines.keep_first(line + 1);
   Retold told(trace);
   for (std::size_t n = 0; n <= line; ++n) told.hear(trace.lines[n], n);
   for (Json& p : state["particles"]) {
@@ -53,13 +49,13 @@ void cut_behind(Trace& trace, std::size_t line) {
 }
 
 void move_event(Trace& trace, std::size_t line, double since) {
-  trace.lines[line]["t"] = clock_time(trace, since);
+  trace.lines.change(line)["t"] = clock_time(trace, since);
   settle(trace);
 }
 
 void carry_event(Trace& trace, std::size_t line, const Retold& before, double since) {
   move_event(trace, line, since);
-  Json& event = trace.lines[line];
+  Json& event = trace.lines.change(line);
   for (const char* when : {"pre", "post"}) {
     for (const auto& [id, state] : event[when].items()) {
       state["position"] = spelt(trace, before.position(std::stoi(id), event.at("t")));
@@ -88,7 +84,7 @@ std::optional<std::size_t> restitution_of(const Trace& trace, std::size_t load) 
 
 void set_impulse(Trace& trace, const Place& place, const Vec& dp) {
   const double masses[2] = {place.before.body_mass(place.i()), place.before.body_mass(place.j())};
-  Json& event = trace.lines[place.line];
+  Json& event = trace.lines.change(place.line);
   const Vec more = dp - numbers(event.at("dp"));
   event["dp"] = spelt(trace, dp);
   if (!is_load(event)) {
@@ -99,7 +95,7 @@ void set_impulse(Trace& trace, const Place& place, const Vec& dp) {
   event["dp_stored"] = spelt(trace, stored);
   const auto parted = restitution_of(trace, place.line);
   if (!parted) return;
-  Json& restitution = trace.lines[*parted];
+  Json& restitution = trace.lines.change(*parted);
   restitution["dp"] = event["dp_stored"];
   part_by(trace, restitution, masses, stored);
 }

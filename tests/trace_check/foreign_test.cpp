@@ -213,7 +213,7 @@ TEST(Wrong, AVelocityThatChangesByAnUlpAtABreak) {
   for (const std::size_t line : event_lines(good)) {
     if (good.lines[line].at("kind") != "break") continue;
     Trace bad = good;
-    Json& event = bad.lines[line];
+    Json& event = bad.lines.change(line);
     Json& velocity = event.at("post").at(key(event.at("i"))).at("velocity");
     velocity[0] = stepped(bad, velocity[0], 1);
     EXPECT_GT(checked(text_of(bad)).of(Rule::impulse).violated, 0U);
@@ -227,7 +227,7 @@ TEST(Draws, AreThoseOfTheSeedUnlessTrusted) {
   Scene other = named.scene;
   other.seed += 1;
   Trace trace = trace_of(trace_bytes(named.scene, "double", Timing::stable, named.events));
-  trace.lines[0].at("scene")["seed"] = other.seed;
+  trace.lines.change(0).at("scene")["seed"] = other.seed;
   const std::string bytes = text_of(trace);
   EXPECT_GT(checked(bytes).of(Rule::tethers).violated, 0U);
   CheckOptions trusting;
@@ -235,7 +235,7 @@ TEST(Draws, AreThoseOfTheSeedUnlessTrusted) {
   const CheckReport report = checked(bytes, trusting);
   EXPECT_TRUE(report.conforming()) << report_text(report);
   EXPECT_TRUE(says(report, "not judged tethers: the draws are taken as given"));
-  trace.lines[0]["draws"] = "recorded";
+  trace.lines.change(0)["draws"] = "recorded";
   EXPECT_TRUE(checked(text_of(trace)).conforming());
 }
 

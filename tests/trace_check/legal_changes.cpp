@@ -21,11 +21,11 @@ bool share_nobody(const Place& place) {
 }
 
 bool next_is_now(const Place& place) {
-  return place.next == &place.event + 1 && place.until_next() == 0;
+  return place.next_follows_at_once() && place.until_next() == 0;
 }
 
 void exchange_with_next(Trace& trace, std::size_t line) {
-  std::swap(trace.lines[line], trace.lines[line + 1]);
+  trace.lines.swap(line, line + 1);
   settle(trace);
 }
 
@@ -62,7 +62,9 @@ Json with_keys_turned_round(const Json& object) {
 }
 
 bool keys_turned_round(Trace& trace, std::uint64_t) {
-  for (Json& line : trace.lines) line = with_keys_turned_round(line);
+  for (std::size_t n = 0; n < trace.lines.size(); ++n) {
+    trace.lines.change(n) = with_keys_turned_round(trace.lines[n]);
+  }
   return true;
 }
 

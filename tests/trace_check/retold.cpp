@@ -178,12 +178,14 @@ std::size_t chosen(std::size_t candidates, std::uint64_t number) {
 
 Place place_at(const Trace& trace, const std::vector<std::size_t>& events, std::size_t n,
                const Retold& before) {
+  const bool is_last = n + 1 == events.size();
   return {trace,
           before,
           trace.lines[events[n]],
           n == 0 ? nullptr : &trace.lines[events[n - 1]],
-          n + 1 == events.size() ? nullptr : &trace.lines[events[n + 1]],
-          events[n]};
+          is_last ? nullptr : &trace.lines[events[n + 1]],
+          events[n],
+          is_last ? 0 : events[n + 1]};
 }
 
 Place place_of(const Trace& trace, const Found& found) {

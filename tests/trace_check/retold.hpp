@@ -78,6 +78,10 @@ struct Place {
   const Json* previous;  ///< event; null for the first one
   const Json* next;      ///< event; null for the last one
   std::size_t line;
+  std::size_t next_line;  ///< of `next`; 0 if there is none
+
+  /// Whether nothing stands between this event and the next one.
+  bool next_follows_at_once() const { return next != nullptr && next_line == line + 1; }
 
   int i() const { return event.at("i"); }
   int j() const { return event.at("j"); }

@@ -101,7 +101,9 @@ Trace run_of(const Scene& scene, const Making& making, RunOptions options) {
   options.timing = making.timing;
   options.certifier = &certifier;
   Trace trace = trace_of(testing::traced_bytes(scene, options));
-  std::erase_if(trace.lines, is_state);
+  for (std::size_t n = trace.lines.size(); n-- > 0;) {
+    if (is_state(trace.lines[n])) trace.lines.erase(n);
+  }
   return trace;
 }
 
@@ -154,7 +156,8 @@ void scale_scene(Json& scene, int length, int speed) {
 
 Trace in_units(const Trace& trace, int length, int speed) {
   Trace scaled = trace;
-  for (Json& line : scaled.lines) {
+  for (std::size_t n = 0; n < scaled.lines.size(); ++n) {
+    Json& line = scaled.lines.change(n);
     if (line.contains("scene")) scale_scene(line["scene"], length, speed);
     multiply_keys(line, {"t", "dt"}, length - speed);
     multiply_keys(line, {"dp", "dp_stored"}, speed);
@@ -172,10 +175,10 @@ Trace in_units(const Trace& trace, int length, int speed) {
 Trace ended_behind(const Trace& trace, std::size_t events, const char* reason, const std::string& t) {
   Trace cut = trace;
   const Json end = cut.lines.back();
-  cut.lines.resize(events == 0 ? 1 : event_lines(trace)[events - 1] + 1);
+  cut.lines.keep_first(events == 0 ? 1 : event_lines(trace)[events - 1] + 1);
   cut.lines.push_back(end);
-  cut.lines.back()["end"] = reason;
-  cut.lines.back()["t"] = t;
+  cut.lines.change_last()["end"] = reason;
+  cut.lines.change_last()["t"] = t;
   settle(cut);
   return cut;
 }

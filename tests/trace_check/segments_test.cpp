@@ -168,7 +168,7 @@ TEST(SegmentsOfATrace, KeepExactOrderAcrossTheirBorders) {
   ASSERT_EQ(events[1], events[0] + 2);
   Trace wrong = right;
   for (const std::size_t line : {events[0], events[0] + 1, events[1]})
-    wrong.lines[line] = with_rows_exchanged(right.lines[line]);
+    wrong.lines.change(line) = with_rows_exchanged(right.lines[line]);
   for (const char* key : {"k", "t", "dt"})
     ASSERT_EQ(wrong.lines[events[1]][key], right.lines[events[1]][key]);
 

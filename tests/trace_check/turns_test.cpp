@@ -145,12 +145,12 @@ TEST_P(ToldOtherwise, NeighboursExchanged) {
       const bool near = certified() ? apart <= epsilon(whole) * number(second.at("t")) : apart == 0;
       if (near && first.contains("i") && share_nobody(first, second)) {
         Trace lie = whole;
-        lie.lines[events[n]]["t"] = second.at("t");
+        lie.lines.change(events[n])["t"] = second.at("t");
         for (const char* when : {"pre", "post"}) {
-          for (const auto& [id, state] : lie.lines[events[n]][when].items())
+          for (const auto& [id, state] : lie.lines.change(events[n])[when].items())
             state["position"] = spelt(lie, before.position(std::stoi(id), second.at("t")));
         }
-        std::swap(lie.lines[events[n]], lie.lines[events[n + 1]]);
+        lie.lines.swap(events[n], events[n + 1]);
         settle(lie);
         expect_lie(lie, told, "event " + std::to_string(n + 1) + ", seed " + std::to_string(seed));
       }
