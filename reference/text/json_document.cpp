@@ -9,7 +9,6 @@
 #include "reference/text/json_pointer.hpp"
 #include "reference/text/json_syntax_message.hpp"
 #include "reference/text/printable.hpp"
-#include "reference/text/quick_json.hpp"
 #include "reference/text/text_file.hpp"
 
 namespace tps {
@@ -69,9 +68,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool number_integer(number_integer_t value) override {
     // The parser calls this for a leading minus only; "-0" is the double -0.
     if (value == 0) return add(JsonNumber{-0.0, false});
-    return add(negative_number(value));
+    return add_integer(value, -0x1p63 <= static_cast<double>(value), JsonNumber::Integer::negative,
+                       0 - static_cast<std::uint64_t>(value));
   }
-  bool number_unsigned(number_unsigned_t value) override { return add(natural_number(value)); }
+  bool number_unsigned(number_unsigned_t value) override {
+    return add_integer(value, static_cast<double>(value) < 0x1p64, JsonNumber::Integer::natural, value);
+  }
   bool number_float(number_float_t value, const string_t& digits) override {
     // An integer with too many digits for 64 bits arrives here.
     const bool integer = digits.find_first_of(".eE") == std::string::npos;
@@ -111,6 +113,13 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  private:
   std::size_t consumed() const { return static_cast<std::size_t>(progress_.at - progress_.begin); }
   std::uint32_t line() const { return static_cast<std::uint32_t>(progress_.line() + first_line_ - 1); }
+
+  template <typename Integer>
+  bool add_integer(Integer value, bool convertible_back, JsonNumber::Integer sign, std::uint64_t magnitude) {
+    const auto nearest = static_cast<double>(value);
+    const bool exact = convertible_back && static_cast<Integer>(nearest) == value;
+    return add(JsonNumber{nearest, !exact, sign, magnitude});
+  }
 
   template <typename Data>
   JsonValue make(Data&& data) const {
@@ -234,13 +243,6 @@ const JsonValue* JsonValue::find(std::string_view key) const {
 
 JsonDocument parse_json(std::string_view text, const std::string& name, const JsonLimits& limits,
                         std::size_t first_line) {
-  if (std::optional<JsonValue> root = quick_json(text, limits, first_line))
-    return {std::move(*root), InputProblems(name)};
-  return parse_any_json(text, name, limits, first_line);
-}
-
-JsonDocument parse_any_json(std::string_view text, const std::string& name, const JsonLimits& limits,
-                            std::size_t first_line) {
   refuse_what_is_no_json_text(text, name, limits);
   Progress progress{text.data(), text.data(), 0};
   TreeBuilder builder(text, progress, name, limits, first_line);
