@@ -47,26 +47,41 @@ double spacing(const Scene& scene, const std::vector<int>& particles) {
 
 }  // namespace
 
+void Neighbours::Bucket::put(std::size_t place, const Member& member) {
+  for (std::size_t k = 0; k < 3; ++k) anchors[k][place] = member.anchor[k];
+  particles[place] = member.particle;
+}
+
 void Neighbours::Bucket::add(const Member& member) {
-  if (count < kHere) {
-    here[count] = member;
-  } else {
-    more.push_back(member);
+  for (std::size_t n = 0; n < kHere; ++n) {
+    if (particles[n] < 0) return put(n, member);
   }
-  ++count;
+  if (more == nullptr) more = std::make_unique<std::vector<Member>>();
+  more->push_back(member);
+}
+
+Neighbours::Member Neighbours::Bucket::take_last() {
+  Member last;
+  if (more != nullptr && !more->empty()) {
+    last = more->back();
+    more->pop_back();
+    return last;
+  }
+  const std::size_t place = particles[1] < 0 ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k) last.anchor[k] = anchors[k][place];
+  last.particle = particles[place];
+  put(place, {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, -1});
+  return last;
 }
 
 void Neighbours::Bucket::remove(int particle) {
-  const auto at = [this](std::size_t n) -> Member& { return n < kHere ? here[n] : more[n - kHere]; };
-  std::size_t place = 0;
-  while (at(place).particle != particle) ++place;
-  --count;
-  at(place) = at(count);
-  if (count < kHere) {
-    here[count] = kNobody;
-  } else {
-    more.pop_back();
+  const Member last = take_last();
+  if (last.particle == particle) return;
+  for (std::size_t n = 0; n < kHere; ++n) {
+    if (particles[n] == particle) return put(n, last);
   }
+  *std::find_if(more->begin(), more->end(),
+                [particle](const Member& member) { return member.particle == particle; }) = last;
 }
 
 Neighbours::Neighbours(const Scene& scene, double u)
@@ -216,27 +231,61 @@ std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
 }
 
 /// Near is who has an anchor within a cell's side, of the nearest image. Members of other cells that share
-/// the bucket have none, nor most of those in the corners.
+/// the bucket have none, nor most of those in the corners. REQUIRES room for so many more in found_.
 template <bool kIsPeriodic>
-std::size_t Neighbours::find_in(const Bucket& bucket, const Coordinates& place, std::size_t count) {
-  if (found_.size() < count + bucket.count + Bucket::kHere)
-    found_.resize(2 * found_.size() + bucket.count + Bucket::kHere);
+inline std::size_t Neighbours::find_in(const Bucket& bucket, const Coordinates& place, std::size_t count) {
   int* const found = found_.data();
-  const auto look_at = [&](const Member& other) {
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      double r = other.anchor[k] - place[k];
-      if (kIsPeriodic && around_[k] > 0) {
-        r = std::fabs(r);
-        if (r > cells_around_[k] / 2) r = cells_around_[k] - r;
-      }
-      squared += r * r;
-    }
-    found[count] = other.particle;
-    count += squared <= 1 ? 1 : 0;
+  const auto take = [&](int particle, bool is_near) {
+    found[count] = particle;
+    count += is_near ? 1 : 0;
   };
-  for (const Member& other : bucket.here) look_at(other);
-  for (const Member& other : bucket.more) look_at(other);
+  const auto apart = [&](std::size_t k, double r) {
+    if (!kIsPeriodic || around_[k] == 0) return r;
+    const double x = std::fabs(r);
+    return x > cells_around_[k] / 2 ? cells_around_[k] - x : x;
+  };
+  const auto look_at = [&](const Coordinates& anchor, int particle) {
+    const double x = apart(0, anchor[0] - place[0]), y = apart(1, anchor[1] - place[1]),
+                 z = apart(2, anchor[2] - place[2]);
+    take(particle, x * x + y * y + z * z <= 1);
+  };
+  if constexpr (kIsPeriodic) {
+    for (std::size_t n = 0; n < Bucket::kHere; ++n)
+      look_at({bucket.anchors[0][n], bucket.anchors[1][n], bucket.anchors[2][n]}, bucket.particles[n]);
+  } else {
+    const Two x = bucket.anchors[0] - Two{place[0], place[0]},
+              y = bucket.anchors[1] - Two{place[1], place[1]},
+              z = bucket.anchors[2] - Two{place[2], place[2]};
+    const auto is_near = x * x + y * y + z * z <= Two{1, 1};
+    take(bucket.particles[0], is_near[0] != 0);
+    take(bucket.particles[1], is_near[1] != 0);
+  }
+  if (bucket.more == nullptr) return count;
+  for (const Member& other : *bucket.more) look_at(other.anchor, other.particle);
+  return count;
+}
+
+template <bool kIsPeriodic>
+std::size_t Neighbours::find_around(const Anchor& anchor, std::size_t count) {
+  std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::int32_t step = -1; step <= 1; ++step) {
+      std::int32_t x = anchor.cell[k] + step;
+      if (kIsPeriodic && around_[k] > 0) x = x < 0 ? x + around_[k] : x >= around_[k] ? x - around_[k] : x;
+      parts[k][static_cast<std::size_t>(step + 1)] = along(k, x);
+    }
+  }
+  const std::size_t first = dimension_ == 3 ? 0 : 1;
+  for (const std::size_t x : parts[0]) {
+    for (const std::size_t y : parts[1]) {
+      for (std::size_t z = first; z < 3 - first; ++z) {
+        const Bucket& bucket = buckets_[x + y + parts[2][z]];
+        const std::size_t most = count + Bucket::kHere + (bucket.more == nullptr ? 0 : bucket.more->size());
+        if (found_.size() < most) found_.resize(2 * most);
+        count = find_in<kIsPeriodic>(bucket, anchor.place, count);
+      }
+    }
+  }
   return count;
 }
 
@@ -248,25 +297,8 @@ std::span<const int> Neighbours::near(int i) {
   if (found_.size() < count) found_.resize(count);
   std::copy(loose_.begin(), loose_.end(),
             std::copy(far_reaching_.begin(), far_reaching_.end(), found_.begin()));
-  std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::int32_t step = -1; step <= 1; ++step) {
-      std::int32_t x = anchor.cell[k] + step;
-      if (around_[k] > 0) x = x < 0 ? x + around_[k] : x >= around_[k] ? x - around_[k] : x;
-      parts[k][static_cast<std::size_t>(step + 1)] = along(k, x);
-    }
-  }
-  const std::size_t first = dimension_ == 3 ? 0 : 1;
   const bool is_periodic = around_[0] > 0 || around_[1] > 0 || around_[2] > 0;
-  for (const std::size_t x : parts[0]) {
-    for (const std::size_t y : parts[1]) {
-      for (std::size_t z = first; z < 3 - first; ++z) {
-        const Bucket& bucket = buckets_[x + y + parts[2][z]];
-        count = is_periodic ? find_in<true>(bucket, anchor.place, count)
-                            : find_in<false>(bucket, anchor.place, count);
-      }
-    }
-  }
+  count = is_periodic ? find_around<true>(anchor, count) : find_around<false>(anchor, count);
   return {found_.data(), count};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <queue>
 #include <span>
@@ -59,19 +60,25 @@ class Neighbours {
     Coordinates anchor;  ///< as Anchor::place
     int particle;
   };
+  /// Two numbers that the processor takes at once.
+  using Two = double __attribute__((vector_size(16)));
   /// Members in their order. The first two stand in the bucket itself, and nowhere where there are none: they
-  /// are looked at without asking how many there are, which no processor foresees.
-  struct Bucket {
+  /// are looked at without asking how many there are, which no processor foresees. A line of a cache.
+  struct alignas(64) Bucket {
     static constexpr std::size_t kHere = 2;
-    static constexpr Member kNobody = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, -1};
+    static constexpr Two kNowhere = {HUGE_VAL, HUGE_VAL};
 
-    std::array<Member, kHere> here = {kNobody, kNobody};
-    std::size_t count = 0;
-    std::vector<Member> more;
+    std::array<Two, 3> anchors = {kNowhere, kNowhere, kNowhere};  ///< of the first two, by coordinate
+    std::array<int, kHere> particles = {-1, -1};
+    std::unique_ptr<std::vector<Member>> more;  ///< null: there have never been any
 
     void add(const Member& member);
     /// Whose place the last one takes.
     void remove(int particle);
+
+   private:
+    void put(std::size_t place, const Member& member);
+    Member take_last();
   };
   struct Anchor {
     Cell cell{};
@@ -103,6 +110,8 @@ class Neighbours {
   /// Takes up whoever of a bucket is near a place behind `count` others, and counts them.
   template <bool kIsPeriodic>
   std::size_t find_in(const Bucket& bucket, const Coordinates& place, std::size_t count);
+  template <bool kIsPeriodic>
+  std::size_t find_around(const Anchor& anchor, std::size_t count);
   void remove(int i);
   void forget_old_expiries();
 
