@@ -24,7 +24,7 @@ class LineJudgeOf : public LineJudge {
   /// @return whether there is such a state in the line, of no more events than lines before it
   bool begin_at(std::string_view text, std::uint64_t number) {
     try {
-      const Line<Number> line = reading_.read(text);
+      const Line<Number>& line = reading_.read(text);
       const auto* state = std::get_if<StateLine<Number>>(&line);
       if (state == nullptr || state->data.k > number) return false;
       take_up({state->data, nullptr});
@@ -36,7 +36,7 @@ class LineJudgeOf : public LineJudge {
 
   void judge(const LineText& line, std::uint64_t number) override {
     state_.reset();
-    tally().step = {number, 0, {}, {}};
+    tally().step.begin(number);
     if (line.too_long) {
       std::string beginning(line.text);
       for (char& c : beginning) c = c >= ' ' && c <= '~' ? c : '?';
@@ -44,7 +44,7 @@ class LineJudgeOf : public LineJudge {
       return;
     }
     try {
-      Line<Number> read = reading_.read(line.text);
+      Line<Number>& read = reading_.read(line.text);
       tally().pass(Rule::schema);
       std::visit([this](auto& parsed) { this->take(parsed); }, read);
     } catch (const EndProblem& problem) {
@@ -67,7 +67,7 @@ class LineJudgeOf : public LineJudge {
   bool needed_before() const override { return checker_->needed_before(); }
 
   std::unique_ptr<Judged> close(std::uint64_t lines) override {
-    tally().step = {lines, checker_->model().events, {}, {}};
+    tally().step.begin(lines, checker_->model().events);
     checker_->close();
     return finished();
   }

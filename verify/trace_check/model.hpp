@@ -12,6 +12,7 @@
 #include "verify/trace_check/group_model.hpp"
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/pair_rules.hpp"
+#include "verify/trace_check/small_map.hpp"
 #include "verify/trace_check/wall_model.hpp"
 
 namespace tps::check {
@@ -159,11 +160,11 @@ class Model {
     if (!fixed(i)) responded_[at(i)][{j, outer}] = speeds;
     if (!fixed(j)) responded_[at(j)][{i, outer}] = speeds;
   }
-  using Responses = std::map<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
+  using Responses = SmallMap<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
   const Responses& responses(int i) const { return responded_[at(i)]; }
   /// REQUIRES responded(i, j, outer), and not both of infinite mass.
   const W& speeds_before_response(int i, int j, bool outer) const {
-    return fixed(i) ? responded_[at(j)].at({i, outer}) : responded_[at(i)].at({j, outer});
+    return fixed(i) ? *responded_[at(j)].find({i, outer}) : *responded_[at(i)].find({j, outer});
   }
 
   /// Begins a new flight. A fixed particle keeps its own.
@@ -180,7 +181,7 @@ class Model {
 
  private:
   bool has_responded(int i, int j, bool outer) const {
-    return fixed(i) || responded_[at(i)].count({j, outer}) != 0;
+    return fixed(i) || responded_[at(i)].find({j, outer}) != nullptr;
   }
 
   std::vector<FlightInDoubles> flights_in_doubles_;

@@ -205,9 +205,10 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   sides.mu = W(1) / (sides.inverse_i + sides.inverse_j);
   sides.loads = body->loads + 1;
   sides.speeds_at_load = node.speeds;
-  judge_parted(c, event, sides, node.outer, dp, node.dp_error, sides.loads);
+  const Exchange<W> exchange = exchange_of(c, event, sides, node.outer, dp, node.dp_error);
+  judge_parted(c, event, sides, exchange);
   judge_direction(c, event, node.outer);
-  judge_parting_conservation(c, event, sides, node);
+  judge_parting_conservation(c, event, sides, exchange);
 }
 
 }  // namespace tps::check

@@ -115,7 +115,8 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c,
                                                   const WallFlight<double>& flight) {
   std::optional<Turn<double>> turn;
   if (!flight.is_plane) {
-    turn = detail::certified_turn(c, flight.pair, flight.i, flight.i, flight.asked);
+    turn = detail::certified_turn(c, flight.pair, flight.i, flight.i, flight.asked,
+                                  certified_time(c, flight.pair, flight.asked));
   } else {
     const TimingQuery query = timing_query(c, flight);
     if (!valid(query)) return std::nullopt;
