@@ -191,6 +191,7 @@ void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happenin
   std::vector<int> looked;
   while (const auto expired = neighbours_.expiry_until(end)) {
     const int i = expired->particle;
+    neighbours_.fetch_next(end);
     const Instant<Number> now{Number(expired->t), Number(0)};
     const Instant<Number>& since = model_.flight(i).since;
     std::size_t& looks = looks_[Model<Number>::at(i)];

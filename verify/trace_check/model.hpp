@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "reference/engine/large_pages.hpp"
 #include "reference/scene/random.hpp"
 #include "verify/trace_check/effect_rules.hpp"
 #include "verify/trace_check/flight_in_doubles.hpp"
@@ -38,7 +39,7 @@ class Model {
   const Precision<Number> precision;
   RuleTable<Number> rules;
   bool eager = false;  ///< everybody is advanced, and rounded, at every event
-  std::vector<Flight<Number>> flights;
+  LargeVector<Flight<Number>> flights;
   std::vector<W> inverse_masses;               ///< 0 for an infinite mass
   std::optional<Vec<Number>> edges;            ///< of a periodic box; 0 along an open axis
   const std::vector<WallModel<Number>> walls;  ///< surfaces, by their place in surfaces(scene)
@@ -184,7 +185,7 @@ class Model {
     return fixed(i) || responded_[at(i)].find({j, outer}) != nullptr;
   }
 
-  std::vector<FlightInDoubles> flights_in_doubles_;
+  LargeVector<FlightInDoubles> flights_in_doubles_;
   std::vector<Responses> responded_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace tps::check {
 namespace {
@@ -211,18 +212,18 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
 
 /// A slow particle that is often hit leaves expiries of the far future behind.
 void Neighbours::forget_old_expiries() {
-  std::vector<Due> live;
+  std::vector<Expiries::Expiry> live;
   for (std::size_t n = 0; n < anchors_.size(); ++n) {
     const Anchor& anchor = anchors_[n];
     if (anchor.placed && !std::isinf(anchor.expires))
       live.push_back({anchor.expires, static_cast<int>(n), anchor.number});
   }
-  expiries_ = decltype(expiries_)(std::greater<>(), std::move(live));
+  expiries_.assign(std::move(live));
 }
 
 std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
-  while (!expiries_.empty() && expiries_.top().t <= t) {
-    const Due due = expiries_.top();
+  while (const Expiries::Expiry* const next = expiries_.next(t)) {
+    const Expiries::Expiry due = *next;
     expiries_.pop();
     if (due.number == anchors_[static_cast<std::size_t>(due.particle)].number)
       return Expiry{due.t, due.particle};
@@ -266,8 +267,8 @@ inline std::size_t Neighbours::find_in(const Bucket& bucket, const Coordinates& 
 }
 
 template <bool kIsPeriodic>
-std::size_t Neighbours::find_around(const Anchor& anchor, std::size_t count) {
-  std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
+Neighbours::Parts Neighbours::parts_around(const Anchor& anchor) const {
+  Parts parts;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::int32_t step = -1; step <= 1; ++step) {
       std::int32_t x = anchor.cell[k] + step;
@@ -275,18 +276,40 @@ std::size_t Neighbours::find_around(const Anchor& anchor, std::size_t count) {
       parts[k][static_cast<std::size_t>(step + 1)] = along(k, x);
     }
   }
+  return parts;
+}
+
+template <typename Visit>
+inline void Neighbours::each_around(const Parts& parts, Visit visit) const {
   const std::size_t first = dimension_ == 3 ? 0 : 1;
   for (const std::size_t x : parts[0]) {
     for (const std::size_t y : parts[1]) {
-      for (std::size_t z = first; z < 3 - first; ++z) {
-        const Bucket& bucket = buckets_[x + y + parts[2][z]];
-        const std::size_t most = count + Bucket::kHere + (bucket.more == nullptr ? 0 : bucket.more->size());
-        if (found_.size() < most) found_.resize(2 * most);
-        count = find_in<kIsPeriodic>(bucket, anchor.place, count);
-      }
+      for (std::size_t z = first; z < 3 - first; ++z) visit(buckets_[x + y + parts[2][z]]);
     }
   }
+}
+
+template <bool kIsPeriodic>
+std::size_t Neighbours::find_around(const Anchor& anchor, std::size_t count) {
+  each_around(parts_around<kIsPeriodic>(anchor), [&](const Bucket& bucket) {
+    const std::size_t most = count + Bucket::kHere + (bucket.more == nullptr ? 0 : bucket.more->size());
+    if (found_.size() < most) found_.resize(2 * most);
+    count = find_in<kIsPeriodic>(bucket, anchor.place, count);
+  });
   return count;
+}
+
+void Neighbours::fetch(int i) const {
+  constexpr std::size_t kMany = 16384;  // buckets: a cache of a megabyte
+  const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
+  if (buckets_.size() <= kMany || !anchor.placed) return;
+  const Parts parts = is_periodic() ? parts_around<true>(anchor) : parts_around<false>(anchor);
+  each_around(parts, [](const Bucket& bucket) { __builtin_prefetch(&bucket); });
+}
+
+void Neighbours::fetch_next(double t) const {
+  const Expiries::Expiry* const next = expiries_.probably_next(t);
+  if (next != nullptr) fetch(next->particle);
 }
 
 std::span<const int> Neighbours::near(int i) {
@@ -297,8 +320,7 @@ std::span<const int> Neighbours::near(int i) {
   if (found_.size() < count) found_.resize(count);
   std::copy(loose_.begin(), loose_.end(),
             std::copy(far_reaching_.begin(), far_reaching_.end(), found_.begin()));
-  const bool is_periodic = around_[0] > 0 || around_[1] > 0 || around_[2] > 0;
-  count = is_periodic ? find_around<true>(anchor, count) : find_around<false>(anchor, count);
+  count = is_periodic() ? find_around<true>(anchor, count) : find_around<false>(anchor, count);
   return {found_.data(), count};
 }
 

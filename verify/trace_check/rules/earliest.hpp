@@ -62,7 +62,7 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c, cons
   const double dt = multiple * rounded_once(c.exact, certified->query, *answer.t, c.model.precision);
   Turn<double> turn;
   turn.t = later_by(pair.start, dt, c.model.precision);
-  turn.moment = Moment{pair.start.hi, pair.start.lo, certified->query, multiple};
+  turn.moment = c.exact.known(Moment{pair.start.hi, pair.start.lo, certified->query, multiple});
   turn.first = i;
   turn.second = j;
   return turn;
