@@ -1,7 +1,5 @@
 #include "verify/certified/exact_timing.hpp"
 
-#include "verify/exact/rounded_time.hpp"
-
 namespace tps::certified {
 namespace {
 

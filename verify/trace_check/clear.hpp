@@ -54,7 +54,7 @@ class FirstLook {
     return std::max(rr, before(x, rr)) - limits.outer * limits.outer < -outer_error;
   }
   /// The same of a pair with an inner limit alone, in an open scene.
-  bool is_clear_of_inner(const StraightLine& b, double L) const {
+  [[gnu::always_inline]] bool is_clear_of_inner(const StraightLine& b, double L) const {
     const Beside x = beside(b);
     return is_in_range(b, x.size) && is_clear_of(x, L);
   }
@@ -79,7 +79,7 @@ class FirstLook {
   /// The squared distance when the flight began.
   static double before(const Beside& x, double rr) { return rr - (2 * dot(x.r, x.d) - dot(x.d, x.d)); }
 
-  Beside beside(const StraightLine& b) const {
+  [[gnu::always_inline]] Beside beside(const StraightLine& b) const {
     const double together = std::min(a_.duration, b.duration);
     const auto place = [&](std::size_t k) {
       return (b.position[k] + b.velocity[k] * b.duration) - place_[k];
@@ -95,7 +95,7 @@ class FirstLook {
     constexpr double kLongest = 0x1p500;
     return size < kLargest && size > 1 / kLargest && a_.duration < kLongest && b.duration < kLongest;
   }
-  bool is_clear_of(const Beside& x, double L) const {
+  [[gnu::always_inline]] bool is_clear_of(const Beside& x, double L) const {
     const double rr = dot(x.r, x.r), dd = dot(x.d, x.d);
     const double error = share_ * (x.size * x.size + L * L);
     // |r|² > 2(L² + |d|² + e) leaves (|r| − |d|)² > L² + e: many pairs are as far as that.

@@ -100,6 +100,10 @@ class LineJudgeOf : public LineJudge {
       if (n >= 0) tally().step.particles.push_back(checker_->model().id(n));
     }
     judged_->has_draws = judged_->has_draws || event.draw.has_value();
+    if (!judged_->digits.has_enough()) add_digits(event);
+    checker_->take(event);
+  }
+  void add_digits(const EventLine<Number>& event) {
     DecimalDigits& digits = judged_->digits;
     digits.add(DecimalDigits::times, rough(event.t).hi + parts_.facts.scene.start_time);
     for (const InvolvedParticle<Number>& p : event.involved) {
@@ -109,7 +113,6 @@ class LineJudgeOf : public LineJudge {
           digits.add(DecimalDigits::positions, static_cast<double>((*p.position_after)[k]));
       }
     }
-    checker_->take(event);
   }
   void take(StateLine<Number>& state) {
     CheckReport& report = judged_->report;

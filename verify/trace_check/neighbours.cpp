@@ -291,9 +291,14 @@ inline void Neighbours::each_around(const Parts& parts, Visit visit) const {
 
 template <bool kIsPeriodic>
 std::size_t Neighbours::find_around(const Anchor& anchor, std::size_t count) {
-  each_around(parts_around<kIsPeriodic>(anchor), [&](const Bucket& bucket) {
-    const std::size_t most = count + Bucket::kHere + (bucket.more == nullptr ? 0 : bucket.more->size());
+  constexpr std::size_t kOfBuckets = kCellsAround * Bucket::kHere;
+  const auto make_room = [&](std::size_t more) {
+    const std::size_t most = count + more + kOfBuckets;
     if (found_.size() < most) found_.resize(2 * most);
+  };
+  make_room(0);
+  each_around(parts_around<kIsPeriodic>(anchor), [&](const Bucket& bucket) {
+    if (bucket.more != nullptr) make_room(bucket.more->size());
     count = find_in<kIsPeriodic>(bucket, anchor.place, count);
   });
   return count;

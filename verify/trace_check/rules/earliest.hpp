@@ -62,7 +62,8 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c, cons
   const double dt = multiple * rounded_once(c.exact, certified->query, *answer.t, c.model.precision);
   Turn<double> turn;
   turn.t = later_by(pair.start, dt, c.model.precision);
-  turn.moment = c.exact.known(Moment{pair.start.hi, pair.start.lo, certified->query, multiple});
+  turn.moment =
+      exact::KnownMoment{{pair.start.hi, pair.start.lo, certified->query, multiple}, certified->known};
   turn.first = i;
   turn.second = j;
   return turn;

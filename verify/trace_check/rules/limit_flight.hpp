@@ -23,6 +23,7 @@ struct LimitFlight {
 struct CertifiedTime {
   TimingQuery query;
   CollisionTime<double> answer;
+  exact::VerdictWithCoefficients known;
 };
 
 /// Nothing where the numbers of the pair are none of the scalar's.
@@ -30,7 +31,8 @@ inline std::optional<CertifiedTime> certified_time(const Context<double>& c, con
                                                    const LimitAsked<long double>& asked) {
   const TimingQuery query = timing_query(pair, asked.outer, static_cast<double>(asked.L));
   if (!valid(query)) return std::nullopt;
-  return CertifiedTime{query, c.exact.answer(query)};
+  const exact::KnownTime time = c.exact.known_answer(query);
+  return CertifiedTime{query, time.answer, time.known};
 }
 
 namespace detail {
