@@ -2,6 +2,7 @@
 // while; and the order in which anchors expire.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -93,7 +94,7 @@ TEST(IsClearOfInner, IsIsClear) {
     ++(of_inner ? clear : other);
   }
   EXPECT_GT(clear, 10'000);
-  EXPECT_GT(other, 10'000);
+  EXPECT_GT(other, 5'000);
 }
 
 TEST(TimeWithin, IsThatOfTheLimitToAHundredth) {
@@ -129,7 +130,7 @@ TEST(TimeWithin, IsNotKnownAtTheLimitOrAtRest) {
   EXPECT_FALSE(within(2 - 0x1p-36, 1, 0x1p-40));
   EXPECT_FALSE(within(3, -1, 0x1p-40));
   EXPECT_FALSE(within(1, 0, 0x1p-40));
-  EXPECT_FALSE(within(1.9, 1, 0x1p-11));
+  EXPECT_FALSE(within(1.95, 1, 0x1p-11));
   EXPECT_FALSE(within(1, 1, 0x1p-40, false));
 }
 
@@ -145,7 +146,7 @@ int take_until(Expiries& expiries, OneHeap& heap, double t) {
     EXPECT_EQ(next->t, heap.top().t);
     EXPECT_EQ(next->particle, heap.top().particle);
     EXPECT_EQ(next->number, heap.top().number);
-    if (const Expiry* const probably = expiries.probably_next(t)) EXPECT_EQ(probably, next);
+    EXPECT_EQ(expiries.probably_next(t), next);
     expiries.pop();
     heap.pop();
     ++taken;
