@@ -199,23 +199,6 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
     judge_friction(c, event, *bodies_, expected_, rough_now(c, *bodies_));
 }
 
-/// Asks memory for what is around the event's particles and what its residuals are added to.
-template <typename Number>
-void Checker<Number>::expect(const EventLine<Number>& event) const {
-  for (const int i : {event.i, event.j}) {
-    if (i >= 0) neighbours_.fetch(i);
-  }
-  neighbours_.fetch_next(as_double(event.t.hi));
-  if (event.j < 0 || !event.dp) return;
-  const double size = as_double(largest(*event.dp));
-  tally_.expect_residual(Quantity::energy, size);
-  tally_.expect_residual(Quantity::momentum, size);
-  if (!arrival_) return;
-  const double dt = as_double(arrival_->flight.dt);
-  tally_.expect_asked(dt);
-  tally_.expect_residual(Quantity::time, dt);
-}
-
 template <typename Number>
 void Checker<Number>::take(const EventLine<Number>& event) {
   const Context<Number>& c = context_;

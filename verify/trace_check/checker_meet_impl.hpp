@@ -8,6 +8,23 @@
 
 namespace tps::check {
 
+/// Asks memory for what is around the event's particles and what its residuals are added to.
+template <typename Number>
+void Checker<Number>::expect(const EventLine<Number>& event) const {
+  for (const int i : {event.i, event.j}) {
+    if (i >= 0) neighbours_.fetch(i);
+  }
+  neighbours_.fetch_next(as_double(event.t.hi));
+  if (event.j < 0 || !event.dp) return;
+  const double size = as_double(largest(*event.dp));
+  tally_.expect_residual(Quantity::energy, size);
+  tally_.expect_residual(Quantity::momentum, size);
+  if (!arrival_) return;
+  const double dt = as_double(arrival_->flight.dt);
+  tally_.expect_asked(dt);
+  tally_.expect_residual(Quantity::time, dt);
+}
+
 /// Where a particle is anchored. What double cannot hold of a speed may not get lost: 2^1000 times a vanished
 /// one is a way.
 template <typename Number>
