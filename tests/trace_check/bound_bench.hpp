@@ -72,10 +72,14 @@ class Bench {
         verdicts, kind == Kind::revolve ? "dp by (5)" : "dp by (4)",
         [&](const auto& c) { judge_dp(c, event, b, expected); }, Rule::impulse);
     add(
-        verdicts, "velocity by (3)", [&](const auto& c) { judge_free_velocities(c, event, b, expected); },
+        verdicts, "velocity by (3)",
+        [&](const auto& c) {
+          judge_free_velocities(c, event, b, expected, exchange_of(c, event, b, expected));
+        },
         Rule::impulse);
     add(
-        verdicts, "conservation", [&](const auto& c) { judge_conservation(c, event, b, expected); },
+        verdicts, "conservation",
+        [&](const auto& c) { judge_conservation(c, event, b, expected, exchange_of(c, event, b, expected)); },
         Rule::conservation);
     return verdicts;
   }

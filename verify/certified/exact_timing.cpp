@@ -1,16 +1,10 @@
 #include "verify/certified/exact_timing.hpp"
 
-#include "verify/exact/rounded_time.hpp"
-#include "verify/exact/time_order.hpp"
-
 namespace tps::certified {
+namespace {
 
-CollisionTime<double> ExactTiming::answer(const TimingQuery& query) {
-  return exact::rounded_time(query, counters_);
-}
-
-std::weak_ordering ExactTiming::order(const Moment& first, const Moment& second) {
-  switch (exact::moment_order(first, second, counters_)) {
+std::weak_ordering ordering(exact::Order order) {
+  switch (order) {
     case exact::Order::before:
       return std::weak_ordering::less;
     case exact::Order::after:
@@ -20,6 +14,19 @@ std::weak_ordering ExactTiming::order(const Moment& first, const Moment& second)
       break;
   }
   return std::weak_ordering::equivalent;
+}
+
+}  // namespace
+
+CollisionTime<double> ExactTiming::answer(const TimingQuery& query) {
+  return exact::rounded_time(query, counters_);
+}
+
+std::weak_ordering ExactTiming::order(const Moment& first, const Moment& second) {
+  return ordering(exact::moment_order(first, second, counters_));
+}
+std::weak_ordering ExactTiming::order(const exact::KnownMoment& first, const exact::KnownMoment& second) {
+  return ordering(exact::moment_order(first, second, counters_));
 }
 
 }  // namespace tps::certified

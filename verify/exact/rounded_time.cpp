@@ -53,10 +53,7 @@ double time_by_integers(const TimingQuery& query, Verdict verdict, Counters& cou
   return rounded(algebraic_time(query.kind, verdict, quadratic), quadratic.c);
 }
 
-}  // namespace
-
-TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
-  const VerdictWithCoefficients known = verdict_with_coefficients(query, counters);
+TimingAnswer time_of(const TimingQuery& query, const VerdictWithCoefficients& known, Counters& counters) {
   if (!occurs(known.verdict)) return {known.verdict, std::nullopt};
   ++counters.time.calls;
   if (at_once(known.verdict)) return {known.verdict, 0.0};
@@ -73,6 +70,17 @@ TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
   ++counters.time.exact;
   const std::optional<double> modular = modular_time(query, known, counters);
   return {known.verdict, modular ? *modular : time_by_integers(query, known.verdict, counters)};
+}
+
+}  // namespace
+
+TimingAnswer rounded_time(const TimingQuery& query, Counters& counters) {
+  return time_of(query, verdict_with_coefficients(query, counters), counters);
+}
+
+KnownTime known_time(const TimingQuery& query, Counters& counters) {
+  const VerdictWithCoefficients known = verdict_with_coefficients(query, counters);
+  return {time_of(query, known, counters), known};
 }
 
 TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters) {

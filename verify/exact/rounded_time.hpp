@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "verify/exact/counters.hpp"
+#include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/timing_query.hpp"
 #include "verify/exact/verdict.hpp"
 
@@ -21,6 +22,13 @@ using TimingAnswer = CollisionTime<double>;
 ///   (3) multiplying lengths by 2^k and velocities by 2^m multiplies t by 2^(k−m) while all are normal
 ///   doubles.
 TimingAnswer rounded_time(const TimingQuery& query, Counters& counters);
+
+/// The same with the verdict that the time is of, for who asks for both.
+struct KnownTime {
+  TimingAnswer answer;
+  VerdictWithCoefficients known;
+};
+KnownTime known_time(const TimingQuery& query, Counters& counters);
 
 /// The same by integers alone: what the fast path is compared with.
 TimingAnswer rounded_time_by_integers(const TimingQuery& query, Counters& counters);

@@ -157,4 +157,17 @@ Order moment_order(const Moment& first, const Moment& second, Counters& counters
   return order(event(first), event(second), counters);
 }
 
+KnownMoment known_moment(const Moment& moment, Counters& counters) {
+  return {moment,
+          moment.query ? verdict_with_coefficients(*moment.query, counters) : VerdictWithCoefficients{}};
+}
+
+Order moment_order(const KnownMoment& first, const KnownMoment& second, Counters& counters) {
+  const auto event = [](const KnownMoment& moment) {
+    return Event{moment.hi, moment.lo, moment.query ? &*moment.query : nullptr, moment.multiple,
+                 moment.known};
+  };
+  return order(event(first), event(second), counters);
+}
+
 }  // namespace tps::exact

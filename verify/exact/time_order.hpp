@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "verify/exact/counters.hpp"
+#include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/timing_query.hpp"
 
 namespace tps::exact {
@@ -31,5 +32,14 @@ Order time_order(const TimingQuery& first, const TimingQuery& second, Counters& 
 ///   (5) for equal starts and multiples of 1 it is time_order;
 ///   (6) multiplying lengths by 2^k, velocities by 2^m, hi and lo by 2^(k−m) changes nothing.
 Order moment_order(const Moment& first, const Moment& second, Counters& counters);
+
+/// A moment with the verdict on its query, for who compares it with many.
+struct KnownMoment : Moment {
+  VerdictWithCoefficients known{};  ///< of a query
+};
+KnownMoment known_moment(const Moment& moment, Counters& counters);
+
+/// Law: as of the moments alone.
+Order moment_order(const KnownMoment& first, const KnownMoment& second, Counters& counters);
 
 }  // namespace tps::exact

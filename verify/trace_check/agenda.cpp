@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace tps::check {
 
@@ -19,19 +18,22 @@ void Agenda::begins_flight(int i) {
   open_.push_back(i);
 }
 
-std::vector<int> Agenda::due(double t) {
-  std::vector<int> all = std::exchange(open_, {});
+const std::vector<Agenda::Due>& Agenda::due(double t) {
+  due_.clear();
+  for (const int i : open_) due_.push_back({i, false});
+  open_.clear();
   while (!waiting_.empty() && waiting_.top().t <= t) {
     const Waiting next = waiting_.top();
     waiting_.pop();
-    if (next.number == number_[static_cast<std::size_t>(next.partner)]) all.push_back(next.partner);
+    if (next.number == number_[static_cast<std::size_t>(next.partner)])
+      due_.push_back({next.partner, next.roughly});
   }
-  std::sort(all.begin(), all.end());
-  for (const int i : all) place_[static_cast<std::size_t>(i)] = Place::out;
-  return all;
+  std::sort(due_.begin(), due_.end(), [](const Due& a, const Due& b) { return a.partner < b.partner; });
+  for (const Due& each : due_) place_[static_cast<std::size_t>(each.partner)] = Place::out;
+  return due_;
 }
 
-void Agenda::put_off(int partner, double t) {
+void Agenda::put_off(int partner, double t, bool roughly) {
   const auto n = static_cast<std::size_t>(partner);
   ++number_[n];
   if (!(t > -HUGE_VAL)) {
@@ -40,7 +42,7 @@ void Agenda::put_off(int partner, double t) {
     return;
   }
   place_[n] = Place::waiting;
-  if (t < HUGE_VAL) waiting_.push({t, partner, number_[n]});
+  if (t < HUGE_VAL) waiting_.push({t, partner, number_[n], roughly});
 }
 
 }  // namespace tps::check

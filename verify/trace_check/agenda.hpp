@@ -20,10 +20,14 @@ class Agenda {
   /// A particle began another flight. Of one that is no partner nothing happens.
   void begins_flight(int i);
 
-  /// Takes out, in ascending order, whoever has to be asked at t.
-  std::vector<int> due(double t);
+  struct Due {
+    int partner;
+    bool roughly;  ///< put off until no more than about when it has to be asked
+  };
+  /// Takes out, in ascending order, whoever has to be asked at t. Holds until it is asked again.
+  const std::vector<Due>& due(double t);
   /// Puts one that was due back: it is due again at any time from t on.
-  void put_off(int partner, double t);
+  void put_off(int partner, double t, bool roughly = false);
 
  private:
   enum class Place : std::uint8_t { no_partner, open, waiting, out };
@@ -31,12 +35,14 @@ class Agenda {
     double t;
     int partner;
     std::uint32_t number;
+    bool roughly;
     bool operator>(const Waiting& other) const { return t > other.t; }
   };
 
   std::vector<Place> place_;           ///< by particle
   std::vector<std::uint32_t> number_;  ///< of times that a particle was put off: older ones are void
-  std::vector<int> open_;              ///< due whatever the time
+  std::vector<Due> due_;
+  std::vector<int> open_;  ///< due whatever the time
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
 };
 

@@ -15,12 +15,11 @@ namespace tps::check {
 class BelowRounding {
  public:
   template <typename Number>
-  void look(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
+  void look(const Context<Number>& c, const BodiesNow<Number>& b) {
     using W = Work<Number>;
     using std::abs;
-    const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
-    const W turn = W(2) + W(2 * c.model.scene.dimension) * reach / b.distance();
-    const W rounding = c.u() * (W(2) * (length(b.v_i) + length(b.v_j)) + turn * length(b.v));
+    const W turn = W(2) + W(2 * c.model.scene.dimension) * W(b.reach_i + b.reach_j) / b.distance();
+    const W rounding = c.u() * (W(2) * (length(b.v_i) + length(b.v_j)) + turn * b.speed());
     if (abs(b.v_n()) > rounding) return;
     if (count_++ == 0) first_ = c.model.events + 1;
   }

@@ -7,6 +7,20 @@
 
 namespace tps::check {
 
+/// What is computed when it is first asked for, and once.
+template <typename T>
+class Once {
+ public:
+  template <typename Compute>
+  const T& operator()(Compute compute) const {
+    if (!value_) value_.emplace(compute());
+    return *value_;
+  }
+
+ private:
+  mutable std::optional<T> value_;
+};
+
 template <typename Number>
 struct BodiesNow {
   using W = Work<Number>;
@@ -19,17 +33,47 @@ struct BodiesNow {
   W drift_i{0}, drift_j{0};  ///< how far v_i and v_j may be off
   W speeds_at_load{0};       ///< of the two bodies when they were loaded, where a restitution parts them
   int loads = 0;             ///< of the two bodies: their masses were rounded so often
+  W reach_i{0}, reach_j{0};  ///< largest coordinates, where the model has the two
 
   W drift() const { return drift_i + drift_j; }
-  W distance() const { return length(r); }
-  Vec<W> axis() const { return W(W(1) / length(r)) * r; }
-  W v_n() const { return dot(v, r) / length(r); }
-  /// v_ŵ; what a difference of nearly equal vectors leaves along r is taken off once more.
-  Vec<W> across() const {
-    const W rr = dot(r, r);
-    const Vec<W> rest = v - W(dot(v, r) / rr) * r;
-    return rest - W(dot(rest, r) / rr) * r;
+
+  // REQUIRES that r, v and blur are no longer changed.
+  const W& distance() const {
+    return distance_([this] { return length(r); });
   }
+  const Vec<W>& axis() const {
+    return axis_([this] { return W(W(1) / distance()) * r; });
+  }
+  const W& v_n() const {
+    return v_n_([this] { return W(dot(v, r) / distance()); });
+  }
+  const W& speed() const {
+    return speed_([this] { return length(v); });
+  }
+  /// v_ŵ; what a difference of nearly equal vectors leaves along r is taken off once more.
+  const Vec<W>& across() const {
+    return across_([this] {
+      const W rr = dot(r, r);
+      const Vec<W> rest = v - W(dot(v, r) / rr) * r;
+      return rest - W(dot(rest, r) / rr) * r;
+    });
+  }
+  const W& speed_across() const {
+    return speed_across_([this] { return length(across()); });
+  }
+  /// How far the axis may be turned, in radians; a right angle says that nothing is known of it.
+  const W& turn_of_axis() const {
+    return turn_([this] {
+      using std::asin;
+      if (blur == W(0) && distance() > W(0)) return W(0);
+      const W share = blur / distance();
+      return share < W(1) ? W(asin(share)) : W(kRightAngle);
+    });
+  }
+
+ private:
+  Once<W> distance_, v_n_, speed_, speed_across_, turn_;
+  Once<Vec<W>> axis_, across_;
 };
 
 /// How far the velocity of a particle before an event may be off.
@@ -82,6 +126,8 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
   b.inverse_j = model.inverse_mass(event.j);
   b.mu = W(1) / (b.inverse_i + b.inverse_j);
   b.loads = model.loads(event.i) + model.loads(event.j);
+  b.reach_i = largest(model.position(event.i, event.t));
+  b.reach_j = largest(model.position(event.j, event.t));
   return b;
 }
 

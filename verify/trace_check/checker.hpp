@@ -86,6 +86,7 @@ class Checker {
   void take_turn(const EventLine<Number>& event);
   void say_unknown(Kind kind);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);
+  void expect(const EventLine<Number>& event) const;
 
   static std::optional<Border<Number>> border_of(const std::optional<TakenUp<Number>>& taken_up,
                                                  const Precision<Number>& precision);
@@ -96,8 +97,10 @@ class Checker {
                                       const Happening<Number>& happening) const;
   double longer(const Instant<double>& until) const;
   bool is_clear(const FirstLook& look, int i, int j, const Instant<double>& until) const;
+  bool flew_apart(const FirstLook& look, int i, int j, const Instant<double>& until) const;
   void judge_meeting(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
   void ask(int i, int j, const Instant<Number>& until, const Happening<Number>& happening);
+  bool is_arrival_alone(int a, int b, const Instant<Number>& until, const Happening<Number>& happening) const;
   void judge_meetings(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_at_walls(int i, const Instant<Number>& until, const Happening<Number>& happening);
   void judge_with_everybody(int i, const Instant<Number>& until, const Happening<Number>& happening);
@@ -109,7 +112,7 @@ class Checker {
   void judge_ahead(const Instant<Number>& until, const Happening<Number>& happening);
   void judge_left(const Instant<Number>& end, std::vector<LeftWaiting>& left);
 
-  std::vector<int> changing(const EventLine<Number>& event) const;
+  const std::vector<int>& changing(const EventLine<Number>& event);
   void follow(const EventLine<Number>& event, const std::vector<int>& changed);
   void follow_load(const EventLine<Number>& event);
   void follow_restitution(const EventLine<Number>& event);
@@ -132,9 +135,12 @@ class Checker {
   std::array<double, 3> edges_{};   ///< of a periodic box; 0 along an open axis
   Waits<Number> waits_;             ///< but for its border
   std::vector<std::size_t> looks_;  ///< at others, by particle, while anchors are renewed
+  std::vector<int> changing_;       ///< at the event that is being judged
   bool earliest_held_ = true, bounds_held_ = true;
   /// What has been said about pairs, by particle, during its present flight.
-  std::vector<std::map<int, Told>> told_;
+  std::vector<SmallMap<int, Told>> told_;
+  std::optional<Arrival<Number>> arrival_;  ///< of the collision that is being judged
+  bool arrival_is_judged_ = false;          ///< by rules earliest and bounds, on its whole flight
   std::optional<BodiesNow<Number>> bodies_;
   Expected<W> expected_;
   BelowRounding below_rounding_;

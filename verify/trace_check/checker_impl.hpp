@@ -88,11 +88,9 @@ Turn<Number> Checker<Number>::turn_of_event(const EventLine<Number>& event) {
   }
   if (event.kind == Kind::wall) return turn_at_wall(event);
   if constexpr (std::is_same_v<Number, double>) {
-    const auto limit = limit_of(model_, event);
-    if (c.certified() && limit) {
-      const Vec<double> image = model_.nearest_image(event.i, event.j, event.t);
-      const PairFlight<double> pair = pair_flight(model_, event.i, event.j, image);
-      auto turn = detail::certified_turn(c, pair, event.i, event.j, *limit);
+    if (arrival_) {
+      const LimitFlight<double>& flight = arrival_->flight;
+      auto turn = detail::certified_turn(c, flight.pair, event.i, event.j, flight.asked, arrival_->certified);
       if (turn) {
         turn->t = event.t;
         return *turn;
@@ -154,8 +152,9 @@ void Checker<Number>::take_turn(const EventLine<Number>& event) {
 /// Who begins a new flight at an event: those listed; at a restitution both sides of the node, at some
 /// effects' everybody.
 template <typename Number>
-std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const {
-  std::vector<int> all;
+const std::vector<int>& Checker<Number>::changing(const EventLine<Number>& event) {
+  std::vector<int>& all = changing_;
+  all.clear();
   for (const InvolvedParticle<Number>& p : event.involved) all.push_back(p.particle);
   if (event.kind == Kind::restitute) {
     if (const Body<Number>* body = model_.groups.with_root(event.i, event.j))
@@ -174,8 +173,8 @@ std::vector<int> Checker<Number>::changing(const EventLine<Number>& event) const
 
 template <typename Number>
 void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<Number>& event) {
-  judge_contact(c, event);
-  if (event.kind == Kind::rebound) below_rounding_.look(c, event, *bodies_);
+  judge_contact(c, event, arrival_);
+  if (event.kind == Kind::rebound) below_rounding_.look(c, *bodies_);
   judge_approach(c, event, *bodies_);
   expected_ = expected_of(c, event, *bodies_);
   if (event.kind == Kind::retract || event.kind == Kind::revolve) judge_kind(c, event, *bodies_);
@@ -191,9 +190,11 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
     judge_load_conservation(c, event, *bodies_);
     return;
   }
-  judge_free_velocities(c, event, *bodies_, expected_);
-  if (event.kind != Kind::broken) judge_direction(c, event, event.kind != Kind::rebound);
-  if (event.kind != Kind::broken) judge_conservation(c, event, *bodies_, expected_);
+  if (event.kind == Kind::broken) return judge_unchanged(c, event);
+  const Exchange<W> exchange = exchange_of(c, event, *bodies_, expected_);
+  judge_free_velocities(c, event, *bodies_, expected_, exchange);
+  judge_direction(c, event, event.kind != Kind::rebound);
+  judge_conservation(c, event, *bodies_, expected_, exchange);
   if (event.kind == Kind::rebound && model_.rules.of(event.i, event.j).rubs)
     judge_friction(c, event, *bodies_, expected_, rough_now(c, *bodies_));
 }
@@ -205,6 +206,9 @@ void Checker<Number>::take(const EventLine<Number>& event) {
     tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
   }
   model_.asked = event.t;
+  arrival_.reset();
+  if (is_collision(event.kind)) arrival_ = arrival_of(c, event);
+  expect(event);
   judge_order(c, event);
   judge_drag_time(c, Rule::order, event.t, event.time);
   judge_parting(c, event);
@@ -232,8 +236,9 @@ void Checker<Number>::take(const EventLine<Number>& event) {
   if (event.kind == Kind::wall) judge_wall_rebound(c, event);
   if (const EffectRules<Number>* effect = model_.effect_of(event.kind)) effect->judge(c, event);
 
-  const std::vector<int> changed = changing(event);
+  const std::vector<int>& changed = changing(event);
   earliest_held_ = bounds_held_ = true;
+  arrival_is_judged_ = false;
   if (!(event.t < model_.now)) {
     Happening<Number> happening;
     happening.t = event.t;

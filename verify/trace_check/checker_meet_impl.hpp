@@ -8,6 +8,23 @@
 
 namespace tps::check {
 
+/// Asks memory for what is around the event's particles and what its residuals are added to.
+template <typename Number>
+void Checker<Number>::expect(const EventLine<Number>& event) const {
+  for (const int i : {event.i, event.j}) {
+    if (i >= 0) neighbours_.fetch(i);
+  }
+  neighbours_.fetch_next(as_double(event.t.hi));
+  if (event.j < 0 || !event.dp) return;
+  const double size = as_double(largest(*event.dp));
+  tally_.expect_residual(Quantity::energy, size);
+  tally_.expect_residual(Quantity::momentum, size);
+  if (!arrival_) return;
+  const double dt = as_double(arrival_->flight.dt);
+  tally_.expect_asked(dt);
+  tally_.expect_residual(Quantity::time, dt);
+}
+
 /// Where a particle is anchored. What double cannot hold of a speed may not get lost: 2^1000 times a vanished
 /// one is a way.
 template <typename Number>
@@ -28,9 +45,8 @@ void Checker<Number>::place(int i, const Instant<Number>& now) {
 template <typename Number>
 Told Checker<Number>::told_of(int i, int j) const {
   const auto of = [this](int a, int b) {
-    const std::map<int, Told>& told = told_[Model<Number>::at(a)];
-    const auto found = told.find(b);
-    return found == told.end() ? 0U : found->second.bits;
+    const Told* const found = told_[Model<Number>::at(a)].find(b);
+    return found == nullptr ? 0U : found->bits;
   };
   if (model_.fixed(i)) return {of(j, i)};
   if (model_.fixed(j)) return {of(i, j)};
@@ -72,6 +88,14 @@ bool Checker<Number>::is_clear(const FirstLook& look, int i, int j, const Instan
                         tethered ? static_cast<double>(rules.outer) : -1.0});
 }
 
+/// Whether a pair has rebounded and flown apart since: then it is not asked, and no closer than at the start.
+template <typename Number>
+bool Checker<Number>::flew_apart(const FirstLook& look, int i, int j, const Instant<double>& until) const {
+  const PairRules<Number>& rules = model_.rules.of(i, j);
+  return rules.blocks && !model_.edges && model_.responded(i, j, false) && !model_.tethered(i, j) &&
+         look.flew_apart(model_.flight_in_doubles(j).until(until, longer(until)));
+}
+
 template <typename Number>
 void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
                                     const Happening<Number>& happening) {
@@ -79,15 +103,31 @@ void Checker<Number>::judge_meeting(int i, int j, const Instant<Number>& until,
   if (!look || !is_clear(*look, i, j, rough(until))) ask(i, j, until, happening);
 }
 
+/// Whether a pair is asked about nothing but the flight that ends with the collision that is being judged.
+template <typename Number>
+bool Checker<Number>::is_arrival_alone(int a, int b, const Instant<Number>& until,
+                                       const Happening<Number>& happening) const {
+  if (!arrival_ || !arrival_->is(a, b) || happening.until != Until::event || !(until == happening.t))
+    return false;
+  const LimitFlight<Number>& flight = arrival_->flight;
+  const bool outer = flight.asked.outer;
+  return !model_.edges && model_.rules.of(a, b).blocks != outer && model_.tethered(a, b) == outer &&
+         !model_.groups.together(a, b) && !(until < flight.pair.start);
+}
+
 template <typename Number>
 void Checker<Number>::ask(int i, int j, const Instant<Number>& until, const Happening<Number>& happening) {
   if (i == j) return;
   const int a = std::min(i, j);
   const int b = std::max(i, j);
+  const bool arrives = is_arrival_alone(a, b, until, happening);
+  if (arrives && arrival_is_judged_) return;
+  arrival_is_judged_ = arrival_is_judged_ || arrives;
   Told told = told_of(a, b);
   const StepNumber since =
       std::max(waits_.changed_at[Model<Number>::at(a)], waits_.changed_at[Model<Number>::at(b)]);
-  const Asked asked = judge_pair(context_, a, b, until, since, happening, told);
+  const Asked asked = arrives ? judge_limit(context_, arrival_->flight, false, since, happening, told)
+                              : judge_pair(context_, a, b, until, since, happening, told);
   earliest_held_ = earliest_held_ && asked.earliest;
   bounds_held_ = bounds_held_ && asked.bounds;
   if (!asked.earliest || !asked.bounds) note_told(a, b, told);
@@ -99,12 +139,23 @@ void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
                                      const Happening<Number>& happening) {
   const std::optional<FirstLook> look = first_look(i, until, happening);
   const Instant<double> end = rough(until);
+  const double later = longer(end);
   const auto judge = [&](int j) {
-    if (!look || !is_clear(*look, i, j, end)) ask(i, j, until, happening);
+    if (!look || !(is_clear(*look, i, j, end) || flew_apart(*look, i, j, end))) ask(i, j, until, happening);
   };
   const std::span<const int> near = neighbours_.near(i);
   for (const int j : near) __builtin_prefetch(&model_.flight_in_doubles(j));
-  for (const int j : near) judge(j);
+  for (const int j : near) {
+    const PairRules<Number>& rules = model_.rules.of(i, j);
+    const bool blocks_only = look && rules.blocks && !rules.can_tether && !model_.edges;
+    if (!blocks_only) {
+      judge(j);
+      continue;
+    }
+    const StraightLine line = model_.flight_in_doubles(j).until(end, later);
+    if (look->is_clear_of_inner(line, as_double(rules.inner))) continue;
+    if (!(model_.responded(i, j, false) && look->flew_apart(line))) ask(i, j, until, happening);
+  }
   for (const int j : model_.tethers[Model<Number>::at(i)]) judge(j);
   if (neighbours_.is_near_everybody(i)) return;
   std::optional<Agenda>& agenda = agendas_[Model<Number>::at(i)];
@@ -112,9 +163,15 @@ void Checker<Number>::judge_meetings(int i, const Instant<Number>& until,
     for (const int j : permanent_[Model<Number>::at(i)]) judge(j);
     return;
   }
-  for (const int j : agenda->due(end.hi)) {
+  for (const auto& [j, roughly] : agenda->due(end.hi)) {
+    const double quiet = roughly ? quiet_until(context_, i, j) : -HUGE_VAL;
+    if (quiet > end.hi) {
+      agenda->put_off(j, quiet);
+      continue;
+    }
     judge(j);
-    agenda->put_off(j, quiet_until(context_, i, j));
+    const std::optional<double> about = roughly ? std::nullopt : quiet_until_about(context_, i, j);
+    agenda->put_off(j, about ? *about : quiet_until(context_, i, j), about.has_value());
   }
 }
 
@@ -124,11 +181,11 @@ void Checker<Number>::judge_at_walls(int i, const Instant<Number>& until,
                                      const Happening<Number>& happening) {
   if (model_.fixed(i)) return;
   const StepNumber since = waits_.changed_at[Model<Number>::at(i)];
-  std::map<int, Told>& told = told_[Model<Number>::at(i)];
+  SmallMap<int, Told>& told = told_[Model<Number>::at(i)];
   for (std::size_t n = 0; n < model_.walls.size(); ++n) {
     const int key = -1 - static_cast<int>(n);
-    const auto found = told.find(key);
-    Told said = found == told.end() ? Told{} : found->second;
+    const Told* const found = told.find(key);
+    Told said = found == nullptr ? Told{} : *found;
     const Asked asked = judge_wall_flight(context_, i, n, until, since, happening, said);
     earliest_held_ = earliest_held_ && asked.earliest;
     bounds_held_ = bounds_held_ && asked.bounds;
@@ -151,6 +208,7 @@ void Checker<Number>::renew_anchors(const Instant<Number>& until, const Happenin
   std::vector<int> looked;
   while (const auto expired = neighbours_.expiry_until(end)) {
     const int i = expired->particle;
+    neighbours_.fetch_next(end);
     const Instant<Number> now{Number(expired->t), Number(0)};
     const Instant<Number>& since = model_.flight(i).since;
     std::size_t& looks = looks_[Model<Number>::at(i)];

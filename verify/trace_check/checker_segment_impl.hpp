@@ -17,7 +17,7 @@ template <typename Number>
 bool Checker<Number>::ends_segment() {
   if (ended_ || !state_holds_ || !is_whole_in_state(context_)) return false;
   judge_until_end(model_.now, Until::last_event);
-  return std::ranges::all_of(told_, [](const std::map<int, Told>& told) { return told.empty(); });
+  return std::ranges::all_of(told_, [](const SmallMap<int, Told>& told) { return told.empty(); });
 }
 
 template <typename Number>

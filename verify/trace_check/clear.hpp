@@ -43,39 +43,71 @@ class FirstLook {
   /// Law: true implies that in real arithmetic, too, the pair is inside of its outer and outside of its inner
   /// limit all the time, by half of that share, whatever the inputs.
   bool is_clear(const StraightLine& b, const LimitsInDoubles& limits) const {
-    const double together = std::min(a_.duration, b.duration);
-    std::array<double, 3> r, d;
-    for (std::size_t k = 0; k < 3; ++k) {
-      r[k] = (b.position[k] + b.velocity[k] * b.duration) - place_[k];
-      d[k] = (b.velocity[k] - a_.velocity[k]) * together;
-    }
-    const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    const double size = size_ + (b.size + b.speed * std::fabs(b.duration) + blur_of_speed_ * b.speed);
-    constexpr double kLargest = 0x1p200;
-    constexpr double kLongest = 0x1p500;
-    // Written so that what is no number is out of range.
-    if (!(size < kLargest && size > 1 / kLargest && a_.duration < kLongest && b.duration < kLongest))
-      return false;
-    if (half_box_ < HUGE_VAL && !is_of_one_image(r, dd, limits, size)) return false;
-    const double rr = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    Beside x = beside(b);
+    if (!is_in_range(b, x.size)) return false;
+    if (half_box_ < HUGE_VAL && !is_of_one_image(x.r, dot(x.d, x.d), limits, x.size)) return false;
     const double L = limits.inner;
-    const double inner_error = share_ * (size * size + L * L);
-    // |r|² > 2(L² + |d|² + e) leaves (|r| − |d|)² > L² + e: most pairs are as far as that.
-    if (limits.outer < 0 && (L < 0 || rr > 2 * (L * L + dd + inner_error))) return true;
-    const double rd = r[0] * d[0] + r[1] * d[1] + r[2] * d[2];
-    const double before = rr - (2 * rd - dd);  // squared distance when the flight began
-    const double nearest = rd > 0 && rd < dd ? rr - rd * (rd / dd) : std::min(rr, before);
-    if (L >= 0 && !(nearest - L * L > inner_error)) return false;
-    if (!(limits.outer >= 0)) return true;
-    const double outer_error = share_ * (size * size + limits.outer * limits.outer);
-    return std::max(rr, before) - limits.outer * limits.outer < -outer_error;
+    if (limits.outer < 0) return L < 0 || is_clear_of(x, L);
+    if (L >= 0 && !is_clear_of(x, L)) return false;
+    const double rr = dot(x.r, x.r);
+    const double outer_error = share_ * (x.size * x.size + limits.outer * limits.outer);
+    return std::max(rr, before(x, rr)) - limits.outer * limits.outer < -outer_error;
+  }
+  /// The same of a pair with an inner limit alone, in an open scene.
+  [[gnu::always_inline]] bool is_clear_of_inner(const StraightLine& b, double L) const {
+    const Beside x = beside(b);
+    return is_in_range(b, x.size) && is_clear_of(x, L);
+  }
+
+  /// Law: true implies that in real arithmetic, too, the two flew apart all the time that both flew, r·v > 0
+  /// at its beginning. REQUIRES an open scene.
+  bool flew_apart(const StraightLine& b) const {
+    const Beside x = beside(b);
+    return is_in_range(b, x.size) && dot(x.r, x.d) - dot(x.d, x.d) > share_ * (x.size * x.size);
   }
 
  private:
+  using Three = std::array<double, 3>;
+
+  /// The distance vector now and the relative way while both flew, and the sum of what they are made of.
+  struct Beside {
+    Three r, d;
+    double size;
+  };
+
+  static double dot(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  /// The squared distance when the flight began.
+  static double before(const Beside& x, double rr) { return rr - (2 * dot(x.r, x.d) - dot(x.d, x.d)); }
+
+  [[gnu::always_inline]] Beside beside(const StraightLine& b) const {
+    const double together = std::min(a_.duration, b.duration);
+    const auto place = [&](std::size_t k) {
+      return (b.position[k] + b.velocity[k] * b.duration) - place_[k];
+    };
+    const auto way = [&](std::size_t k) { return (b.velocity[k] - a_.velocity[k]) * together; };
+    return {{place(0), place(1), place(2)},
+            {way(0), way(1), way(2)},
+            size_ + (b.size + b.speed * std::fabs(b.duration) + blur_of_speed_ * b.speed)};
+  }
+  /// Written so that what is no number is out of range.
+  bool is_in_range(const StraightLine& b, double size) const {
+    constexpr double kLargest = 0x1p200;
+    constexpr double kLongest = 0x1p500;
+    return size < kLargest && size > 1 / kLargest && a_.duration < kLongest && b.duration < kLongest;
+  }
+  [[gnu::always_inline]] bool is_clear_of(const Beside& x, double L) const {
+    const double rr = dot(x.r, x.r), dd = dot(x.d, x.d);
+    const double error = share_ * (x.size * x.size + L * L);
+    // |r|² > 2(L² + |d|² + e) leaves (|r| − |d|)² > L² + e: many pairs are as far as that.
+    if (rr > 2 * (L * L + dd + error)) return true;
+    const double rd = dot(x.r, x.d);
+    const double nearest = rd > 0 && rd < dd ? rr - rd * (rd / dd) : std::min(rr, before(x, rr));
+    return nearest - L * L > error;
+  }
+
   /// Takes r to the nearest image. Whether the others stayed clear of it: one of their coordinates is half an
   /// edge at least, and so far they did not fly. A tether is of one image, which is not looked for here.
-  bool is_of_one_image(std::array<double, 3>& r, double dd, const LimitsInDoubles& limits,
-                       double size) const {
+  bool is_of_one_image(Three& r, double dd, const LimitsInDoubles& limits, double size) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (edges_[k] > 0 && std::fabs(r[k]) > edges_[k] / 2)
         r[k] -= edges_[k] * std::floor(r[k] / edges_[k] + 0.5);

@@ -26,8 +26,13 @@ class DecimalDigits {
   void add(Kind kind, double x) {
     constexpr std::uint64_t kLowBits = 0xffff;
     std::vector<double>& seen = seen_[kind];
-    if ((std::bit_cast<std::uint64_t>(x) & kLowBits) == 0 || !(x - x == 0) || seen.size() >= kAtMost) return;
+    if (seen.size() >= kAtMost || (std::bit_cast<std::uint64_t>(x) & kLowBits) == 0 || !(x - x == 0)) return;
     seen.push_back(x);
+  }
+
+  /// Whether no further number of any kind is of interest.
+  bool has_enough() const {
+    return std::ranges::all_of(seen_, [](const auto& seen) { return seen.size() >= kAtMost; });
   }
 
   /// As if what was added to another one had been added here.

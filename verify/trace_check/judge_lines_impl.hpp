@@ -24,7 +24,7 @@ class LineJudgeOf : public LineJudge {
   /// @return whether there is such a state in the line, of no more events than lines before it
   bool begin_at(std::string_view text, std::uint64_t number) {
     try {
-      const Line<Number> line = reading_.read(text);
+      const Line<Number>& line = reading_.read(text);
       const auto* state = std::get_if<StateLine<Number>>(&line);
       if (state == nullptr || state->data.k > number) return false;
       take_up({state->data, nullptr});
@@ -36,7 +36,7 @@ class LineJudgeOf : public LineJudge {
 
   void judge(const LineText& line, std::uint64_t number) override {
     state_.reset();
-    tally().step = {number, 0, {}, {}};
+    tally().step.begin(number);
     if (line.too_long) {
       std::string beginning(line.text);
       for (char& c : beginning) c = c >= ' ' && c <= '~' ? c : '?';
@@ -44,7 +44,7 @@ class LineJudgeOf : public LineJudge {
       return;
     }
     try {
-      Line<Number> read = reading_.read(line.text);
+      Line<Number>& read = reading_.read(line.text);
       tally().pass(Rule::schema);
       std::visit([this](auto& parsed) { this->take(parsed); }, read);
     } catch (const EndProblem& problem) {
@@ -67,7 +67,7 @@ class LineJudgeOf : public LineJudge {
   bool needed_before() const override { return checker_->needed_before(); }
 
   std::unique_ptr<Judged> close(std::uint64_t lines) override {
-    tally().step = {lines, checker_->model().events, {}, {}};
+    tally().step.begin(lines, checker_->model().events);
     checker_->close();
     return finished();
   }
@@ -100,6 +100,10 @@ class LineJudgeOf : public LineJudge {
       if (n >= 0) tally().step.particles.push_back(checker_->model().id(n));
     }
     judged_->has_draws = judged_->has_draws || event.draw.has_value();
+    if (!judged_->digits.has_enough()) add_digits(event);
+    checker_->take(event);
+  }
+  void add_digits(const EventLine<Number>& event) {
     DecimalDigits& digits = judged_->digits;
     digits.add(DecimalDigits::times, rough(event.t).hi + parts_.facts.scene.start_time);
     for (const InvolvedParticle<Number>& p : event.involved) {
@@ -109,7 +113,6 @@ class LineJudgeOf : public LineJudge {
           digits.add(DecimalDigits::positions, static_cast<double>((*p.position_after)[k]));
       }
     }
-    checker_->take(event);
   }
   void take(StateLine<Number>& state) {
     CheckReport& report = judged_->report;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct EventLine {
   std::string t_text;
   std::optional<double> time;  ///< under drag: the time that is printed beside s
   std::optional<Number> dt;
-  Kind kind;
+  Kind kind{};
   int i = -1, j = -1;
   std::optional<int> phase;
   std::optional<int> wall, face;  ///< which a particle met
@@ -55,6 +56,18 @@ struct EventLine {
     }
     return nullptr;
   }
+  /// Nothing is said; the memory of lists is kept.
+  void restart() {
+    EventLine fresh;
+    std::swap(fresh.t_text, t_text);
+    std::swap(fresh.involved, involved);
+    std::swap(fresh.members, members);
+    fresh.t_text.clear();
+    fresh.involved.clear();
+    fresh.members.clear();
+    *this = std::move(fresh);
+  }
+
   const InvolvedParticle<Number>* of(int particle) const { return find(involved, particle); }
   InvolvedParticle<Number>* of(int particle) { return find(involved, particle); }
 

@@ -6,12 +6,14 @@
 #include <set>
 #include <string>
 
+#include "reference/engine/large_pages.hpp"
 #include "reference/scene/random.hpp"
 #include "verify/trace_check/effect_rules.hpp"
 #include "verify/trace_check/flight_in_doubles.hpp"
 #include "verify/trace_check/group_model.hpp"
 #include "verify/trace_check/line.hpp"
 #include "verify/trace_check/pair_rules.hpp"
+#include "verify/trace_check/small_map.hpp"
 #include "verify/trace_check/wall_model.hpp"
 
 namespace tps::check {
@@ -37,7 +39,7 @@ class Model {
   const Precision<Number> precision;
   RuleTable<Number> rules;
   bool eager = false;  ///< everybody is advanced, and rounded, at every event
-  std::vector<Flight<Number>> flights;
+  LargeVector<Flight<Number>> flights;
   std::vector<W> inverse_masses;               ///< 0 for an infinite mass
   std::optional<Vec<Number>> edges;            ///< of a periodic box; 0 along an open axis
   const std::vector<WallModel<Number>> walls;  ///< surfaces, by their place in surfaces(scene)
@@ -159,11 +161,11 @@ class Model {
     if (!fixed(i)) responded_[at(i)][{j, outer}] = speeds;
     if (!fixed(j)) responded_[at(j)][{i, outer}] = speeds;
   }
-  using Responses = std::map<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
+  using Responses = SmallMap<std::pair<int, bool>, W>;  ///< by partner and whether at the outer limit
   const Responses& responses(int i) const { return responded_[at(i)]; }
   /// REQUIRES responded(i, j, outer), and not both of infinite mass.
   const W& speeds_before_response(int i, int j, bool outer) const {
-    return fixed(i) ? responded_[at(j)].at({i, outer}) : responded_[at(i)].at({j, outer});
+    return fixed(i) ? *responded_[at(j)].find({i, outer}) : *responded_[at(i)].find({j, outer});
   }
 
   /// Begins a new flight. A fixed particle keeps its own.
@@ -180,10 +182,10 @@ class Model {
 
  private:
   bool has_responded(int i, int j, bool outer) const {
-    return fixed(i) || responded_[at(i)].count({j, outer}) != 0;
+    return fixed(i) || responded_[at(i)].find({j, outer}) != nullptr;
   }
 
-  std::vector<FlightInDoubles> flights_in_doubles_;
+  LargeVector<FlightInDoubles> flights_in_doubles_;
   std::vector<Responses> responded_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace tps::check {
 namespace {
@@ -47,26 +48,41 @@ double spacing(const Scene& scene, const std::vector<int>& particles) {
 
 }  // namespace
 
+void Neighbours::Bucket::put(std::size_t place, const Member& member) {
+  for (std::size_t k = 0; k < 3; ++k) anchors[k][place] = member.anchor[k];
+  particles[place] = member.particle;
+}
+
 void Neighbours::Bucket::add(const Member& member) {
-  if (count < kHere) {
-    here[count] = member;
-  } else {
-    more.push_back(member);
+  for (std::size_t n = 0; n < kHere; ++n) {
+    if (particles[n] < 0) return put(n, member);
   }
-  ++count;
+  if (more == nullptr) more = std::make_unique<std::vector<Member>>();
+  more->push_back(member);
+}
+
+Neighbours::Member Neighbours::Bucket::take_last() {
+  Member last;
+  if (more != nullptr && !more->empty()) {
+    last = more->back();
+    more->pop_back();
+    return last;
+  }
+  const std::size_t place = particles[1] < 0 ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k) last.anchor[k] = anchors[k][place];
+  last.particle = particles[place];
+  put(place, {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, -1});
+  return last;
 }
 
 void Neighbours::Bucket::remove(int particle) {
-  const auto at = [this](std::size_t n) -> Member& { return n < kHere ? here[n] : more[n - kHere]; };
-  std::size_t place = 0;
-  while (at(place).particle != particle) ++place;
-  --count;
-  at(place) = at(count);
-  if (count < kHere) {
-    here[count] = kNobody;
-  } else {
-    more.pop_back();
+  const Member last = take_last();
+  if (last.particle == particle) return;
+  for (std::size_t n = 0; n < kHere; ++n) {
+    if (particles[n] == particle) return put(n, last);
   }
+  *std::find_if(more->begin(), more->end(),
+                [particle](const Member& member) { return member.particle == particle; }) = last;
 }
 
 Neighbours::Neighbours(const Scene& scene, double u)
@@ -196,78 +212,23 @@ void Neighbours::place(int i, const Coordinates& position, const Coordinates& ve
 
 /// A slow particle that is often hit leaves expiries of the far future behind.
 void Neighbours::forget_old_expiries() {
-  std::vector<Due> live;
+  std::vector<Expiries::Expiry> live;
   for (std::size_t n = 0; n < anchors_.size(); ++n) {
     const Anchor& anchor = anchors_[n];
     if (anchor.placed && !std::isinf(anchor.expires))
       live.push_back({anchor.expires, static_cast<int>(n), anchor.number});
   }
-  expiries_ = decltype(expiries_)(std::greater<>(), std::move(live));
+  expiries_.assign(std::move(live));
 }
 
 std::optional<Neighbours::Expiry> Neighbours::expiry_until(double t) {
-  while (!expiries_.empty() && expiries_.top().t <= t) {
-    const Due due = expiries_.top();
+  while (const Expiries::Expiry* const next = expiries_.next(t)) {
+    const Expiries::Expiry due = *next;
     expiries_.pop();
     if (due.number == anchors_[static_cast<std::size_t>(due.particle)].number)
       return Expiry{due.t, due.particle};
   }
   return std::nullopt;
-}
-
-/// Near is who has an anchor within a cell's side, of the nearest image. Members of other cells that share
-/// the bucket have none, nor most of those in the corners.
-template <bool kIsPeriodic>
-std::size_t Neighbours::find_in(const Bucket& bucket, const Coordinates& place, std::size_t count) {
-  if (found_.size() < count + bucket.count + Bucket::kHere)
-    found_.resize(2 * found_.size() + bucket.count + Bucket::kHere);
-  int* const found = found_.data();
-  const auto look_at = [&](const Member& other) {
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      double r = other.anchor[k] - place[k];
-      if (kIsPeriodic && around_[k] > 0) {
-        r = std::fabs(r);
-        if (r > cells_around_[k] / 2) r = cells_around_[k] - r;
-      }
-      squared += r * r;
-    }
-    found[count] = other.particle;
-    count += squared <= 1 ? 1 : 0;
-  };
-  for (const Member& other : bucket.here) look_at(other);
-  for (const Member& other : bucket.more) look_at(other);
-  return count;
-}
-
-std::span<const int> Neighbours::near(int i) {
-  const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-  if (is_near_everybody(i)) return everyone_;
-  if (!anchor.placed) return far_reaching_;
-  std::size_t count = far_reaching_.size() + loose_.size();
-  if (found_.size() < count) found_.resize(count);
-  std::copy(loose_.begin(), loose_.end(),
-            std::copy(far_reaching_.begin(), far_reaching_.end(), found_.begin()));
-  std::array<std::array<std::size_t, 3>, 3> parts;  // of bucket numbers, by axis
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::int32_t step = -1; step <= 1; ++step) {
-      std::int32_t x = anchor.cell[k] + step;
-      if (around_[k] > 0) x = x < 0 ? x + around_[k] : x >= around_[k] ? x - around_[k] : x;
-      parts[k][static_cast<std::size_t>(step + 1)] = along(k, x);
-    }
-  }
-  const std::size_t first = dimension_ == 3 ? 0 : 1;
-  const bool is_periodic = around_[0] > 0 || around_[1] > 0 || around_[2] > 0;
-  for (const std::size_t x : parts[0]) {
-    for (const std::size_t y : parts[1]) {
-      for (std::size_t z = first; z < 3 - first; ++z) {
-        const Bucket& bucket = buckets_[x + y + parts[2][z]];
-        count = is_periodic ? find_in<true>(bucket, anchor.place, count)
-                            : find_in<false>(bucket, anchor.place, count);
-      }
-    }
-  }
-  return {found_.data(), count};
 }
 
 }  // namespace tps::check

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <queue>
 #include <span>
 #include <vector>
 
+#include "reference/engine/large_pages.hpp"
 #include "reference/scene/scene.hpp"
+#include "verify/trace_check/expiries.hpp"
 
 namespace tps::check {
 
@@ -36,6 +38,11 @@ class Neighbours {
   /// The anchor that expires first, if any does at or before t.
   std::optional<Expiry> expiry_until(double t);
 
+  /// Asks memory, of many particles, for what near(i) looks at, so that it has come by then; and of the
+  /// particle whose anchor expires next, if that is by t.
+  void fetch(int i) const;
+  void fetch_next(double t) const;
+
   /// Every other particle that may be near particle i: those whose anchors are within a cell's side of its
   /// own, and those that are never in a cell.
   std::span<const int> near(int i);
@@ -59,19 +66,25 @@ class Neighbours {
     Coordinates anchor;  ///< as Anchor::place
     int particle;
   };
+  /// Two numbers that the processor takes at once.
+  using Two = double __attribute__((vector_size(16)));
   /// Members in their order. The first two stand in the bucket itself, and nowhere where there are none: they
-  /// are looked at without asking how many there are, which no processor foresees.
-  struct Bucket {
+  /// are looked at without asking how many there are, which no processor foresees. A line of a cache.
+  struct alignas(64) Bucket {
     static constexpr std::size_t kHere = 2;
-    static constexpr Member kNobody = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, -1};
+    static constexpr Two kNowhere = {HUGE_VAL, HUGE_VAL};
 
-    std::array<Member, kHere> here = {kNobody, kNobody};
-    std::size_t count = 0;
-    std::vector<Member> more;
+    std::array<Two, 3> anchors = {kNowhere, kNowhere, kNowhere};  ///< of the first two, by coordinate
+    std::array<int, kHere> particles = {-1, -1};
+    std::unique_ptr<std::vector<Member>> more;  ///< null: there have never been any
 
     void add(const Member& member);
     /// Whose place the last one takes.
     void remove(int particle);
+
+   private:
+    void put(std::size_t place, const Member& member);
+    Member take_last();
   };
   struct Anchor {
     Cell cell{};
@@ -81,13 +94,6 @@ class Neighbours {
     std::uint32_t number = 0;  ///< of anchors that the particle has had
     double expires = 0;        ///< infinity: never
   };
-  struct Due {
-    double t;
-    int particle;
-    std::uint32_t number;
-    bool operator>(const Due& other) const { return t > other.t; }
-  };
-
   Bucket& bucket(const Cell& cell) {
     return buckets_[along(0, cell[0]) + along(1, cell[1]) + along(2, cell[2])];
   }
@@ -103,6 +109,15 @@ class Neighbours {
   /// Takes up whoever of a bucket is near a place behind `count` others, and counts them.
   template <bool kIsPeriodic>
   std::size_t find_in(const Bucket& bucket, const Coordinates& place, std::size_t count);
+  using Parts = std::array<std::array<std::size_t, 3>, 3>;
+  /// Of the numbers of the buckets around an anchor, by axis.
+  template <bool kIsPeriodic>
+  Parts parts_around(const Anchor& anchor) const;
+  template <typename Visit>
+  void each_around(const Parts& parts, Visit visit) const;
+  template <bool kIsPeriodic>
+  std::size_t find_around(const Anchor& anchor, std::size_t count);
+  bool is_periodic() const { return around_[0] > 0 || around_[1] > 0 || around_[2] > 0; }
   void remove(int i);
   void forget_old_expiries();
 
@@ -118,14 +133,14 @@ class Neighbours {
   std::array<double, 3> cells_around_{};     ///< edges_ in units of cell_
   std::array<std::int32_t, 3> around_{};     ///< cells along a periodic axis; 0: the axis is open
   double slack_ = 0;                         ///< how far a particle may be from its anchor
-  std::vector<Anchor> anchors_;
+  LargeVector<Anchor> anchors_;
   std::vector<int> loose_;
   /// Cells wrapped around like a torus: distant ones may share a bucket, neighbouring ones do only across the
   /// edge of a periodic box with more cells along it than buckets.
-  std::vector<Bucket> buckets_;
+  LargeVector<Bucket> buckets_;
   std::array<std::uint32_t, 3> mask_{};
   std::array<std::size_t, 3> stride_{};
-  std::priority_queue<Due, std::vector<Due>, std::greater<>> expiries_;
+  Expiries expiries_;
   std::vector<int> found_;  ///< by near(), and room for more
 };
 

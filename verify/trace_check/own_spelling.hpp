@@ -106,7 +106,7 @@ class LineCursor {
 
  private:
   /// The value of eight hexadecimal digits, the first one the most significant; false where one is none.
-  static bool eight_digits(const char* text, std::uint64_t& value) {
+  [[gnu::always_inline]] static bool eight_digits(const char* text, std::uint64_t& value) {
     constexpr std::uint64_t kOnes = 0x0101010101010101U;
     std::uint64_t x;
     std::memcpy(&x, text, sizeof x);

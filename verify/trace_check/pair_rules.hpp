@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -56,7 +57,8 @@ template <typename Number>
 class RuleTable {
  public:
   RuleTable(const Scene& scene, const Precision<Number>& precision)
-      : scene_(scene), species_(scene.species.size()), table_(species_ * species_) {
+      : species_(scene.species.size()), table_(species_ * species_) {
+    for (const Particle& p : scene.particles) species_of_.push_back(static_cast<std::uint32_t>(p.species));
     for (const PairLaw& law : scene.pairs) {
       PairRules<Number> rules;
       if (law.blocking) {
@@ -75,12 +77,7 @@ class RuleTable {
     }
   }
 
-  const PairRules<Number>& of(int i, int j) const {
-    const auto species = [this](int n) {
-      return static_cast<std::size_t>(scene_.particles[static_cast<std::size_t>(n)].species);
-    };
-    return table_[species(i) * species_ + species(j)];
-  }
+  const PairRules<Number>& of(int i, int j) const { return table_[species(i) * species_ + species(j)]; }
   PairRules<Number>& at(int species_a, int species_b) {
     return table_[static_cast<std::size_t>(species_a) * species_ + static_cast<std::size_t>(species_b)];
   }
@@ -116,8 +113,10 @@ class RuleTable {
     return atan(Work<Number>(1));
   }
 
-  const Scene& scene_;
+  std::size_t species(int n) const { return species_of_[static_cast<std::size_t>(n)]; }
+
   std::size_t species_;
+  std::vector<std::uint32_t> species_of_;  ///< by particle
   std::vector<PairRules<Number>> table_;
 };
 

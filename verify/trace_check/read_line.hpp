@@ -19,8 +19,8 @@ class LineReading {
   LineReading(const Scene& scene, bool minimal, int digits);
   ~LineReading();
 
-  /// Throws LineProblem.
-  Line<Number> read(std::string_view text);
+  /// Holds until the next one is read. Throws LineProblem.
+  Line<Number>& read(std::string_view text);
 
  private:
   class Json;

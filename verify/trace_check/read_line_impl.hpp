@@ -18,14 +18,34 @@ class LineReading<Number>::Json : private EventReading<Number> {
 
   using EventReading<Number>::EventReading;
 
-  Line<Number> read(std::string_view line_text) {
+  Line<Number>& read(std::string_view line_text) {
     if (line_text.starts_with("{\"k\":")) {
-      EventLine<Number> event;
+      EventLine<Number>& event = fresh_event();
       if (OwnSpelling<Number, LineValues<Number>>(*this, line_text).read(event)) {
         EventDemands<Number>(event, minimal(), has_drag()).demand();
-        return event;
+        return line_;
       }
     }
+    return line_ = of_any_spelling(line_text);
+  }
+
+ private:
+  using Values::clock;
+  using Values::count;
+  using Values::has_drag;
+  using Values::instant;
+  using Values::minimal;
+  using Values::text;
+  using Values::time;
+
+  EventLine<Number>& fresh_event() {
+    auto* const event = std::get_if<EventLine<Number>>(&line_);
+    if (event == nullptr) return line_.template emplace<EventLine<Number>>();
+    event->restart();
+    return *event;
+  }
+
+  Line<Number> of_any_spelling(std::string_view line_text) {
     // The parser skips a byte order mark, which no line of ours has.
     if (line_text.starts_with("\xEF\xBB\xBF")) problem(kLine, "starts with a byte order mark");
     dom::element root;
@@ -42,15 +62,6 @@ class LineReading<Number>::Json : private EventReading<Number> {
     if (line["end"].get(ignored) == simdjson::SUCCESS) return end_of(line);
     return this->event(line);
   }
-
- private:
-  using Values::clock;
-  using Values::count;
-  using Values::has_drag;
-  using Values::instant;
-  using Values::minimal;
-  using Values::text;
-  using Values::time;
 
   StateLine<Number> state(const dom::object& line, std::string_view line_text) const {
     dom::element t;
@@ -112,6 +123,7 @@ class LineReading<Number>::Json : private EventReading<Number> {
   }
 
   dom::parser parser_;
+  Line<Number> line_;
 };
 
 template <typename Number>
@@ -121,7 +133,7 @@ template <typename Number>
 LineReading<Number>::~LineReading() = default;
 
 template <typename Number>
-Line<Number> LineReading<Number>::read(std::string_view text) {
+Line<Number>& LineReading<Number>::read(std::string_view text) {
   return json_->read(text);
 }
 

@@ -38,9 +38,13 @@ void Tally::close_sums() {
   constexpr double kErrors = 5;
   bool judged = false;
   std::string repeating;
-  for (const auto& [quantity, residuals] : residuals_) {
+  for (std::size_t n = 0; n < residuals_.size(); ++n) {
+    const Residuals& residuals = residuals_[n];
+    if (residuals.count() == 0) continue;
+    const char* const quantity = kQuantities[n];
     // Certified times are rounded once; energies and momenta come from the same formulas under every timing.
-    const double kSmallest = report_.timing == "certified" && quantity == "time" ? 0.05 : 0.25;
+    const double kSmallest =
+        report_.timing == "certified" && n == static_cast<std::size_t>(Quantity::time) ? 0.05 : 0.25;
     const double mean = residuals.mean();
     const double error = residuals.standard_error();
     const double independent = residuals.independent();
@@ -52,12 +56,11 @@ void Tally::close_sums() {
       continue;
     }
     judged = true;
-    step = {report_.lines, report_.events, {}, {}};
-    demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_,
-           [&, &what = quantity](Finding& f) {
-             f.message = fmt::format("residuals of the {} have a mean of {} u with a standard error of {}",
-                                     what, mean, error);
-           });
+    step.begin(report_.lines, report_.events);
+    demand(Rule::bias, std::fabs(mean) <= std::max(kErrors * error, kSmallest) * tolerance_, [&](Finding& f) {
+      f.message = fmt::format("residuals of the {} have a mean of {} u with a standard error of {}", quantity,
+                              mean, error);
+    });
   }
   if (!judged && repeating.empty()) not_judged(Rule::bias, "fewer than 10000 residuals");
   if (!repeating.empty()) not_judged(Rule::bias, repeating);
@@ -90,7 +93,7 @@ void Tally::take_over(const Tally& later) {
   }
   for (const auto& [rule, why] : later.reasons_) not_judged(rule, why);
   vague_.insert(later.vague_.begin(), later.vague_.end());
-  for (const auto& [quantity, residuals] : later.residuals_) residuals_[quantity].take_over(residuals);
+  for (std::size_t n = 0; n < residuals_.size(); ++n) residuals_[n].take_over(later.residuals_[n]);
   report_.events += later.report_.events;
   report_.states += later.report_.states;
   report_.segments += later.report_.segments;

@@ -23,12 +23,14 @@ namespace tps::check {
 class Residuals {
  public:
   void add(double y, double x, double size) {
-    const std::uint64_t like = std::bit_cast<std::uint64_t>(std::fabs(size)) >> 29U;
-    Sums& sums = clusters_[static_cast<std::uint16_t>((like * 0x9e3779b97f4a7c15U) >> 48U)];
+    Sums& sums = clusters_[place_of(size)];
     sums.xy += x * y;
     sums.xx += x * x;
     ++count_;
   }
+
+  /// Asks memory for what adding a residual of that size takes.
+  void expect(double size) const { clusters_.fetch(place_of(size)); }
 
   /// Adds up what was added to another one.
   void take_over(const Residuals& other) {
@@ -62,6 +64,10 @@ class Residuals {
   struct Sums {
     double xy = 0, xx = 0;
   };
+  static std::uint16_t place_of(double size) {
+    const std::uint64_t like = std::bit_cast<std::uint64_t>(std::fabs(size)) >> 29U;
+    return static_cast<std::uint16_t>((like * 0x9e3779b97f4a7c15U) >> 48U);
+  }
   Sums total() const {
     Sums all;
     clusters_.each([&](const Sums& s) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
+#include <string_view>
 
 #include "reference/equations/square_root.hpp"
 #include "verify/trace_check/bodies_now.hpp"
@@ -24,15 +24,6 @@ struct Response {
 };
 
 namespace detail {
-
-/// How far the axis may be turned, in radians; a right angle says that nothing is known of it.
-template <typename Number>
-Work<Number> turn_of_axis(const BodiesNow<Number>& b) {
-  using std::asin;
-  using W = Work<Number>;
-  const W share = b.blur / b.distance();
-  return share < W(1) ? W(asin(share)) : W(kRightAngle);
-}
 
 /// Some unit vector perpendicular to a unit vector, in the plane where that is: for a pair without motion
 /// across its axis, which rounding turns anywhere, but does not make faster.
@@ -57,10 +48,10 @@ Response<Work<Number>> by_eq4(const BodiesNow<Number>& b, const Number& c_stored
   using std::abs;
   const W c(c_stored);
   const W v_n = b.v_n();
-  const W across = length(b.across());
+  const W across = b.speed_across();
   const bool acts = outer ? v_n > W(0) : v_n < W(0);
-  const W speed = length(b.v);
-  const W turn = detail::turn_of_axis(b);
+  const W speed = b.speed();
+  const W turn = b.turn_of_axis();
   const W rounding = (W(1) + c) * b.mu * (u * (W(8) * speed + W(13 + 2 * b.loads) * abs(v_n)) + b.drift()) /
                      W(kRoundingsOfImpulse);
   // û and v_n û turn with the axis; by a right angle and more everything is possible.
@@ -86,7 +77,7 @@ Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number
   using W = Work<Number>;
   const Vec<W> w = b.across();
   const W across = length(w);
-  const W speed = length(b.v);
+  const W speed = b.speed();
   const W cosine = W(1) / square_root(W(1) + rules.tan_theta * rules.tan_theta);
   const W sine = rules.tan_theta * cosine;
   const W after = rules.speed_ratio * speed;
@@ -95,7 +86,7 @@ Response<Work<Number>> by_eq5(const BodiesNow<Number>& b, const PairRules<Number
   const W length_error =
       b.mu * (u * (speed + after * sensitivity + W(b.loads) * (speed + after) / W(6)) + of_drift);
   const W anywhere = W(2) * after * cosine;
-  const W turn = detail::turn_of_axis(b);
+  const W turn = b.turn_of_axis();
   const Vec<W> w_hat = across > W(0) ? W(W(1) / across) * w : detail::any_across(b.axis());
   const Vec<W> v_after = W(after * cosine) * w_hat - W(after * sine) * b.axis();
   W turned = anywhere;
@@ -136,8 +127,8 @@ Loaded<Work<Number>> by_eq6(const BodiesNow<Number>& b, const Work<Number>& u) {
 template <typename W>
 struct Expected {
   Response<W> response;
-  double roundings;      ///< of an evaluation, in units of response.error
-  std::string equation;  ///< "(4)" or "(5)"
+  double roundings;           ///< of an evaluation, in units of response.error
+  std::string_view equation;  ///< "(4)" or "(5)"
 };
 
 }  // namespace tps::check

@@ -36,8 +36,8 @@ Rough<Work<Number>> rough_of(const BodiesNow<Number>& b, const PairRules<Number>
   const W mass = K / (W(1) + K) * b.mu;
   const Vec<W> g = b.across() - cross(S, b.axis());
   const W speed = length(g);
-  const W G = length(b.v) + sigma;
-  const W turn = detail::turn_of_axis(b);
+  const W G = b.speed() + sigma;
+  const W turn = b.turn_of_axis();
   const W v_n = abs(b.v_n());
   const W normal = (W(1) + W(rules.c_rebound)) * b.mu * v_n;
   const W holding = (W(1) + W(rules.beta0)) * mass * speed;
@@ -45,7 +45,7 @@ Rough<Work<Number>> rough_of(const BodiesNow<Number>& b, const PairRules<Number>
   const W of_g = W(18) * u * G + W(2) * turn * G + b.drift();
   const W of_holding = (W(1) + W(rules.beta0)) * mass * (of_g + W(8) * u * speed);
   const W of_most = W(rules.mu) * (W(1) + W(rules.c_rebound)) * b.mu *
-                    (u * (W(9) * length(b.v) + W(10) * v_n) + W(2) * turn * length(b.v) + b.drift());
+                    (u * (W(9) * b.speed() + W(10) * v_n) + W(2) * turn * b.speed() + b.drift());
   Rough<W> rough{};
   rough.sticks = holding <= most;
   rough.boundary = abs(holding - most) <= of_holding + of_most;

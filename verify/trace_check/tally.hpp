@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,12 +19,23 @@
 
 namespace tps::check {
 
+/// Of what residuals are added up, in the order of the reports.
+enum class Quantity : std::size_t { energy, momentum, time };
+inline constexpr std::array<const char*, 3> kQuantities = {"energy", "momentum", "time"};
+
 /// The step that is being judged.
 struct Step {
   std::uint64_t line = 0;
   std::uint64_t event = 0;
-  std::string t;
+  std::string_view t;  ///< as the line spells it, which is not read again meanwhile
   std::vector<std::int32_t> particles;
+
+  void begin(std::uint64_t line_now, std::uint64_t event_now = 0) {
+    line = line_now;
+    event = event_now;
+    t = {};
+    particles.clear();
+  }
 };
 
 class Tally {
@@ -93,9 +106,14 @@ class Tally {
 
   /// Adds a residual y that is expected to be rounding of size 1; of a bias of one ulp it would have x. Like
   /// events have nearly the same `size`.
-  void residual(const char* quantity, double size, double y, double x = 1) {
-    if (std::isfinite(x * y)) residuals_[quantity].add(y, x, size);
+  void residual(Quantity quantity, double size, double y, double x = 1) {
+    if (std::isfinite(x * y)) residuals_[static_cast<std::size_t>(quantity)].add(y, x, size);
   }
+  /// What will probably be asked and added soon: no cache holds all places of either.
+  void expect_residual(Quantity quantity, double size) const {
+    residuals_[static_cast<std::size_t>(quantity)].expect(size);
+  }
+  void expect_asked(double x) const { seen_.fetch(place_of(x)); }
   void close_sums();
 
   /// Takes over the verdicts on the segment of the trace behind what this one is of, as if they had been
@@ -105,11 +123,13 @@ class Tally {
   /// Whether a number was among the last ones asked for: motions that repeat repeat their roundings.
   bool seen_before(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
-    std::uint64_t& slot = seen_[static_cast<std::uint16_t>((bits * 0x9e3779b97f4a7c15U) >> 48U)];
-    return std::exchange(slot, bits) == bits;
+    return std::exchange(seen_[place_of(x)], bits) == bits;
   }
 
  private:
+  static std::uint16_t place_of(double x) {
+    return static_cast<std::uint16_t>((std::bit_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15U) >> 48U);
+  }
   RuleResult& of(Rule rule) { return report_.rules[static_cast<std::size_t>(rule)]; }
 
   template <typename Describe>
@@ -130,7 +150,7 @@ class Tally {
   CheckReport& report_;
   double tolerance_;
   std::uint64_t max_reports_;
-  std::map<std::string, Residuals> residuals_;
+  std::array<Residuals, kQuantities.size()> residuals_;
   std::map<Rule, std::string> vague_;
   std::vector<std::pair<Rule, std::string>> reasons_;  ///< why something was not judged, as it came
   LazyTable<std::uint64_t> seen_;

@@ -18,14 +18,14 @@ namespace tps::check {
 /// time its rank and its ids.
 template <typename Number>
 struct Turn {
-  Instant<Number> t;             ///< computed, which is what a trace records
-  std::optional<Moment> moment;  ///< under certified timing
+  Instant<Number> t;                         ///< computed, which is what a trace records
+  std::optional<exact::KnownMoment> moment;  ///< under certified timing
   int rank = kRankOfPair;
   int first = -1, second = -1;  ///< particles; of a body twice its first one, of what concerns nobody −1
 };
 
-inline Moment known_moment(const Instant<double>& t) {
-  return {t.hi, t.lo, std::nullopt, 1};
+inline exact::KnownMoment known_moment(const Instant<double>& t) {
+  return {{t.hi, t.lo, std::nullopt, 1}};
 }
 
 /// How many steps a run has made. The nodes of one restitution are one step: nothing is asked between them.

@@ -46,7 +46,7 @@ void read_lines(check::TraceInput& input, int digits, const PlaybackOptions& opt
     // Full states repeat what the events say; their verdict is the check's.
     if (line.text.starts_with("{\"state\":")) continue;
     try {
-      const check::Line<Number> read = reading.read(line.text);
+      const check::Line<Number>& read = reading.read(line.text);
       if (const auto* event = std::get_if<check::EventLine<Number>>(&read)) {
         recorder.event(*event, input.lines());
       } else if (const auto* end = std::get_if<check::EndLine<Number>>(&read)) {

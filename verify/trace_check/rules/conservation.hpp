@@ -18,10 +18,11 @@ struct Balance {
   W exchanged;          ///< size of the impulse
   W momentum_error{0};  ///< beyond the rounding of the velocities: of a common velocity
   DirectedSlack<W> directed{};
-  Vec<W> v_after;     ///< v_AB' as it should be
-  W speed_error;      ///< of |v_AB'| times μ
-  W taken;            ///< energy, for good or stored
-  W energy_error{0};  ///< beyond those
+  W rounding_i{0}, rounding_j{0};  ///< momentum_rounding of either
+  Vec<W> v_after;                  ///< v_AB' as it should be
+  W speed_error;                   ///< of |v_AB'| times μ
+  W taken;                         ///< energy, for good or stored
+  W energy_error{0};               ///< beyond those
 };
 
 namespace detail {
@@ -39,6 +40,13 @@ Work<Number> momentum_rounding(const Context<Number>& c, bool of_i, const Balanc
          (of_i ? x.directed.of_i : x.directed.of_j) / inverse_mass;
 }
 
+/// REQUIRES all that the rounding is of.
+template <typename Number>
+void add_roundings(const Context<Number>& c, Balance<Work<Number>>& x) {
+  x.rounding_i = momentum_rounding(c, true, x);
+  x.rounding_j = momentum_rounding(c, false, x);
+}
+
 }  // namespace detail
 
 /// What both bodies gain is nothing, but for the rounding of their velocities: Δp is the same number for
@@ -49,10 +57,10 @@ void judge_momentum(const Context<Number>& c, const Balance<Work<Number>>& x, co
   if (x.inverse_i == W(0) || x.inverse_j == W(0)) return;  // it takes any
   const Vec<W> drift =
       W(W(1) / x.inverse_i) * (x.after_i - x.before_i) + W(W(1) / x.inverse_j) * (x.after_j - x.before_j);
-  const W bound =
-      detail::momentum_rounding(c, true, x) + detail::momentum_rounding(c, false, x) + x.momentum_error;
+  const W bound = x.rounding_i + x.rounding_j + x.momentum_error;
   const W unit = bound / W(3);
-  c.tally.residual("momentum", as_double(x.exchanged), as_double(W((drift[0] + drift[1] + drift[2]) / unit)));
+  c.tally.residual(Quantity::momentum, as_double(x.exchanged),
+                   as_double(W((drift[0] + drift[1] + drift[2]) / unit)));
   c.tally.within(Rule::conservation, as_double(W(largest(drift) / unit)), 3, [&](Finding& f) {
     f.message = fmt::format("{} gain the momentum {} together", who(), shown(drift, c.model.scene.dimension));
     f.equation = "(3)";
@@ -70,13 +78,12 @@ void judge_energy(const Context<Number>& c, const Balance<Work<Number>>& x, cons
   const Vec<W> v_after = x.after_j - x.after_i;
   const Vec<W> v_before = x.before_j - x.before_i;
   const W off = mu / W(2) * dot(W(1) * (v_after - x.v_after), v_after + x.v_after);
-  const W stored = detail::momentum_rounding(c, true, x) * x.inverse_i +
-                   detail::momentum_rounding(c, false, x) * x.inverse_j;
+  const W stored = x.rounding_i * x.inverse_i + x.rounding_j * x.inverse_j;
   const W speed_error = square_root(W(c.model.scene.dimension)) * (stored + inverse * x.speed_error);
   const W bound = mu * (length(x.v_after) * speed_error + speed_error * speed_error / W(2)) + x.energy_error +
                   c.model.precision.smallest;
   const W unit = bound / W(3);
-  c.tally.residual("energy", as_double(x.exchanged), as_double(W(off / unit)));
+  c.tally.residual(Quantity::energy, as_double(x.exchanged), as_double(W(off / unit)));
   c.tally.within(Rule::conservation, as_double(W(abs(off) / unit)), 3, [&](Finding& f) {
     const W gained = mu / W(2) * (dot(v_after, v_after) - dot(v_before, v_before));
     const auto [found, expected] = told_apart(gained, W(-x.taken));
@@ -91,15 +98,13 @@ template <typename Number, typename Who>
 void judge_angular_momentum(const Context<Number>& c, const Balance<Work<Number>>& x,
                             const BodiesNow<Number>& b, const Who& who) {
   using W = Work<Number>;
-  const bool of_i =
-      x.inverse_j == W(0) ||
-      (x.inverse_i != W(0) && detail::momentum_rounding(c, true, x) < detail::momentum_rounding(c, false, x));
+  const bool of_i = x.inverse_j == W(0) || (x.inverse_i != W(0) && x.rounding_i < x.rounding_j);
   const Vec<W> gained = of_i ? W(W(1) / x.inverse_i) * (x.after_i - x.before_i)
                              : W(W(1) / x.inverse_j) * (x.after_j - x.before_j);
-  const W stored = detail::momentum_rounding(c, of_i, x);
+  const W& stored = of_i ? x.rounding_i : x.rounding_j;
   const W bound =
       b.distance() * (square_root(W(c.model.scene.dimension)) * stored + W(4) * c.u() * length(gained) +
-                      std::min(W(1), detail::turn_of_axis(b)) * length(gained)) +
+                      std::min(W(1), b.turn_of_axis()) * length(gained)) +
       c.model.precision.smallest;
   const Vec<W> torque = cross(b.r, gained);
   c.tally.within(Rule::conservation, as_double(W(W(3) * length(torque) / bound)), 3, [&](Finding& f) {
@@ -127,14 +132,13 @@ Balance<Work<Number>> balance_of(const EventLine<Number>& event, const BodiesNow
 /// A collision that is not grouped.
 template <typename Number>
 void judge_conservation(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                        const Expected<Work<Number>>& expected) {
+                        const Expected<Work<Number>>& expected, const Exchange<Work<Number>>& exchange) {
   using W = Work<Number>;
   const Response<W>& response = expected.response;
-  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : response.dp;
-  const W error = event.dp ? W(0) : W(expected.roundings) * response.error;
   Balance<W> balance = balance_of(event, b);
-  balance.exchanged = largest(dp);
-  balance.directed = slack_of_parting(c, event, b, event.kind != Kind::rebound, dp, error, b.loads);
+  balance.exchanged = largest(exchange.dp);
+  balance.directed = exchange.slack;
+  detail::add_roundings(c, balance);
   balance.v_after = response.after;
   balance.speed_error = W(expected.roundings) * response.speed_error;
   balance.taken = response.lost;
@@ -155,6 +159,7 @@ void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& 
   Balance<W> balance = balance_of(event, b);
   balance.exchanged = b.mu * largest(b.v);
   balance.momentum_error = joined * by_eq6(b, c.u()).error;
+  detail::add_roundings(c, balance);
   balance.taken = b.mu / W(2) * dot(b.v, b.v);
   const auto who = [&] { return c.pair(b.i, b.j); };
   judge_momentum(c, balance, who);
@@ -164,15 +169,16 @@ void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& 
 /// The parting of two bodies gives back what their load stored.
 template <typename Number>
 void judge_parting_conservation(const Context<Number>& c, const EventLine<Number>& event,
-                                const BodiesNow<Number>& b, const LoadNode<Number>& node) {
+                                const BodiesNow<Number>& b, const Exchange<Work<Number>>& exchange) {
   using W = Work<Number>;
-  const Vec<W> dp = node.recorded ? widened<W>(node.dp) : node.dp_exact;
+  const Vec<W>& dp = exchange.dp;
   const W inverse = b.inverse_i + b.inverse_j;
   Balance<W> balance = balance_of(event, b);
   balance.exchanged = largest(dp);
-  balance.directed = slack_of_parting(c, event, b, node.outer, dp, node.dp_error, b.loads);
+  balance.directed = exchange.slack;
+  detail::add_roundings(c, balance);
   balance.v_after = (b.v_j - b.v_i) - inverse * dp;
-  balance.speed_error = node.dp_error;
+  balance.speed_error = exchange.error;
   balance.taken = W(-dot(dp, dp) * inverse / W(2));
   const auto who = [&] { return c.pair(b.i, b.j); };
   judge_momentum(c, balance, who);

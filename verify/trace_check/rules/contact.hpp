@@ -5,8 +5,8 @@
 #include "reference/version.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/context.hpp"
-#include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/rules/direction.hpp"
+#include "verify/trace_check/rules/limit_flight.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 #include "verify/trace_check/step_as_case.hpp"
 
@@ -25,14 +25,37 @@ std::optional<LimitAsked<Work<Number>>> limit_of(const Model<Number>& model, con
   return LimitAsked<W>{true, W(rules.outer), model.responded(event.i, event.j, true)};
 }
 
+/// A pair on its way to the limit where it collides, as three rules ask for it.
+template <typename Number>
+struct Arrival {
+  LimitFlight<Number> flight;  ///< until the event
+  std::optional<CertifiedTime> certified;
+
+  bool is(int i, int j) const { return flight.i == i && flight.j == j; }
+};
+
+/// Nothing where the pair has no such limit.
+template <typename Number>
+std::optional<Arrival<Number>> arrival_of(const Context<Number>& c, const EventLine<Number>& event) {
+  const auto limit = limit_of(c.model, event);
+  if (!limit) return std::nullopt;
+  const Vec<Number> image = c.model.nearest_image(event.i, event.j, event.t);
+  const PairFlight<Number> pair = pair_flight(c.model, event.i, event.j, image);
+  const auto q = quadratic_of(pair.relative(), limit->L, c.u(), c.timing, c.scale());
+  Arrival<Number> arrival{{event.i, event.j, pair, *limit, q, elapsed(pair.start, event.t)}, {}};
+  if constexpr (std::is_same_v<Number, double>) {
+    if (c.certified()) arrival.certified = certified_time(c, pair, *limit);
+  }
+  return arrival;
+}
+
 namespace detail {
 
 /// Certified timing: the time is the exact root, rounded once; a clock that has passed it stays.
 inline bool at_certified_time(const Context<double>& c, const EventLine<double>& event,
                               const PairFlight<double>& pair, const LimitAsked<long double>& asked,
-                              const TimingQuery& query) {
+                              const CollisionTime<double>& answer) {
   using W = long double;
-  const CollisionTime<double> answer = c.exact.answer(query);
   const bool counts = !asked.responded || answer.verdict == TimingVerdict::hit ||
                       answer.verdict == TimingVerdict::turning ||
                       (asked.outer && c.semantics >= kDirectedSemantics);
@@ -66,26 +89,27 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   // A pair that is all but at its limit: where it meets it is rounding of places, of which an ulp of the time
   // is no measure.
   if (ulp * W(1 << 20) < rounding) return;
-  c.tally.residual("time", as_double(t), as_double(W((dt - t) / rounding)), as_double(W(ulp / rounding)));
+  c.tally.residual(Quantity::time, as_double(t), as_double(W((dt - t) / rounding)),
+                   as_double(W(ulp / rounding)));
 }
 
 }  // namespace detail
 
 template <typename Number>
-void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
+void judge_contact(const Context<Number>& c, const EventLine<Number>& event,
+                   const std::optional<Arrival<Number>>& arrival) {
   using W = Work<Number>;
   using std::abs;
   const Model<Number>& model = c.model;
-  const auto limit = limit_of(model, event);
   const bool outer = event.kind != Kind::rebound;
   const char* which = outer ? "outer" : "inner";
-  c.tally.demand(Rule::contact, limit.has_value(), [&](Finding& f) {
+  c.tally.demand(Rule::contact, arrival.has_value(), [&](Finding& f) {
     f.message = fmt::format("{} at the {} limit, which the pair {} does not have", name(event.kind), which,
                             c.pair(event.i, event.j));
   });
-  if (!limit || model.groups.together(event.i, event.j)) return;
-  const PairFlight<Number> pair =
-      pair_flight(model, event.i, event.j, model.nearest_image(event.i, event.j, event.t));
+  if (!arrival || model.groups.together(event.i, event.j)) return;
+  const PairFlight<Number>& pair = arrival->flight.pair;
+  const LimitAsked<W>& limit = arrival->flight.asked;
   // In a periodic box it may be another image that it meets (D28).
   const bool other_image =
       model.edges && detail::exact_sign(pair.u_i, pair.u_j, pair.v_i, pair.v_j, pair.image, pair.edges) < 0;
@@ -99,21 +123,20 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
     });
     return;
   }
-  const RelativeFlight<W> relative = pair.relative();
-  const Quadratic<W> q = quadratic_of(relative, limit->L, c.u(), c.timing, c.scale());
-  const W dt = elapsed(pair.start, event.t);
-  if (q.blur_error >= limit->L * limit->L) {
+  const Quadratic<W>& q = arrival->flight.q;
+  const W& dt = arrival->flight.dt;
+  if (q.blur_error >= limit.L * limit.L) {
     for (const Rule rule : {Rule::contact, Rule::earliest, Rule::bounds}) {
       c.tally.cannot_tell(rule, [&] {
         return fmt::format("where the distance of {} is uncertain by {}, its limit being {}",
-                           c.pair(event.i, event.j), shown(pair.blur), shown(limit->L));
+                           c.pair(event.i, event.j), shown(pair.blur), shown(limit.L));
       });
     }
     return;
   }
-  const W distance = length(relative.r + dt * relative.v);
   const auto describe = [&](Finding& f) {
-    const Due<W> expected = due(q, *limit);
+    const W distance = length(q.r + dt * q.v);
+    const Due<W> expected = due(q, limit);
     std::string after = shown(dt);
     std::string when = "never gets there";
     if (!expected.must_be_none) {
@@ -122,22 +145,24 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event) {
       after = found;
       when = fmt::format("is due there {} than {}", early ? "not earlier" : "not later", bound);
     }
-    const auto [at, L] = told_apart(distance, limit->L);
+    const auto [at, L] = told_apart(distance, limit.L);
     f.message = fmt::format("{} is at distance {} after {}, {} its {} limit {}; on its straight lines it {}",
-                            c.pair(event.i, event.j), at, after, distance > limit->L ? "beyond" : "within",
+                            c.pair(event.i, event.j), at, after, distance > limit.L ? "beyond" : "within",
                             which, L, when);
     f.equation = "(2)";
-    f.replay = replay_of_time(pair, outer, limit->L, model.scene.dimension);
+    f.replay = replay_of_time(pair, outer, limit.L, model.scene.dimension);
   };
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
-      const TimingQuery query = timing_query(pair, outer, static_cast<double>(limit->L));
-      c.tally.demand(Rule::contact, detail::at_certified_time(c, event, pair, *limit, query), describe);
+      const CollisionTime<double> answer =
+          arrival->certified ? arrival->certified->answer
+                             : c.exact.answer(timing_query(pair, outer, static_cast<double>(limit.L)));
+      c.tally.demand(Rule::contact, detail::at_certified_time(c, event, pair, limit, answer), describe);
       detail::add_time_residual(c, event, q, dt);
       return;
     }
   }
-  const Due<W> expected = due(q, *limit);
+  const Due<W> expected = due(q, limit);
   const W slack = c.time_error(event.t);
   const bool in_time =
       !expected.must_be_none && dt >= expected.earliest - slack && dt <= expected.latest + slack;
@@ -163,7 +188,7 @@ void judge_approach(const Context<Number>& c, const EventLine<Number>& event, co
   const bool outer = event.kind != Kind::rebound;
   const W v_n = b.v_n();
   const W wrong_way = outer ? W(-v_n) : v_n;
-  const W unit = unit_of_v_n(c, event, b);
+  const W unit = unit_of_v_n(c, b);
   const double off = std::max(0.0, as_double(W(wrong_way / unit)));
   c.tally.within(Rule::contact, off, kRoundingsOfApproach, [&](Finding& f) {
     f.message = fmt::format("{} {} at its {} limit, v_n = {}", c.pair(b.i, b.j),

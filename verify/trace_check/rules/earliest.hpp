@@ -49,21 +49,21 @@ namespace detail {
 
 /// The turn of a certified pair that flies on; nothing where it has no event at that limit.
 inline std::optional<Turn<double>> certified_turn(const Context<double>& c, const PairFlight<double>& pair,
-                                                  int i, int j, const LimitAsked<long double>& asked) {
-  const TimingQuery query = timing_query(pair, asked.outer, static_cast<double>(asked.L));
-  if (!valid(query)) return std::nullopt;
-  const CollisionTime<double> answer = c.exact.answer(query);
-  if (!answer.t) return std::nullopt;
+                                                  int i, int j, const LimitAsked<long double>& asked,
+                                                  const std::optional<CertifiedTime>& certified) {
+  if (!certified || !certified->answer.t) return std::nullopt;
+  const CollisionTime<double>& answer = certified->answer;
   // Since responses are rounded directedly, a pulled pair that separates was rounded since, and is due at
   // once.
   const bool counts = answer.verdict == TimingVerdict::hit || answer.verdict == TimingVerdict::turning ||
                       (asked.outer && c.semantics >= kDirectedSemantics);
   if (asked.responded && !counts) return std::nullopt;
   const int multiple = asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1;
-  const double dt = multiple * rounded_once(c.exact, query, *answer.t, c.model.precision);
+  const double dt = multiple * rounded_once(c.exact, certified->query, *answer.t, c.model.precision);
   Turn<double> turn;
   turn.t = later_by(pair.start, dt, c.model.precision);
-  turn.moment = Moment{pair.start.hi, pair.start.lo, query, multiple};
+  turn.moment =
+      exact::KnownMoment{{pair.start.hi, pair.start.lo, certified->query, multiple}, certified->known};
   turn.first = i;
   turn.second = j;
   return turn;
@@ -166,7 +166,8 @@ Waiting waiting(const Context<Number>& c, const LimitFlight<Number>& flight, Ste
                 const Happening<Number>& happening) {
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
-      const auto turn = certified_turn(c, flight.pair, flight.i, flight.j, flight.asked);
+      const auto turn = certified_turn(c, flight.pair, flight.i, flight.j, flight.asked,
+                                       certified_time(c, flight.pair, flight.asked));
       if (!turn) return Waiting::not_due;
       return certified_waiting(c, *turn, flight.asked.outer, since, happening, [&c, flight](Finding& f) {
         say_overdue(c, flight, Waiting::overdue, Until::duration, f);

@@ -17,13 +17,14 @@ void judge_flight(const Context<Number>& c, const EventLine<Number>& event) {
     if (!recorded) continue;
     const Flight<Number>& flight = model.flight(p.particle);
     const W dt = elapsed(flight.since, event.t);
+    const W blur = model.blur(p.particle), time_error = c.time_error(event.t);
     W worst(0), off(0);
     std::size_t axis = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const W step = W(flight.velocity[k]) * dt;
       const W expected = W(flight.position[k]) + step;
-      const W unit = c.u() * (W(2) * abs(step) + abs(W((*recorded)[k]))) + model.precision.smallest +
-                     model.blur(p.particle) + c.time_error(event.t) * abs(W(flight.velocity[k]));
+      const W unit = c.u() * (W(2) * abs(step) + abs(W((*recorded)[k]))) + model.precision.smallest + blur +
+                     time_error * abs(W(flight.velocity[k]));
       const W ulps = abs(W((*recorded)[k]) - expected) / unit;
       if (ulps > worst) {
         worst = ulps;

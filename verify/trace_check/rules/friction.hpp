@@ -72,7 +72,7 @@ Turned<Number> turned_by(const Context<Number>& c, const EventLine<Number>& even
   t.change = lever * cross(b.axis(), dp);
   t.inertia = K * R * R / inverse;
   t.error = W(20) * c.u() * lever * length(dp) + W(2) * c.u() * largest(t.after) +
-            lever * (dp_error + W(2) * detail::turn_of_axis(b) * length(dp)) + model.precision.smallest;
+            lever * (dp_error + W(2) * b.turn_of_axis() * length(dp)) + model.precision.smallest;
   return t;
 }
 
@@ -134,7 +134,8 @@ void judge_friction(const Context<Number>& c, const EventLine<Number>& event, co
   Balance<W> balance = balance_of(event, b);
   balance.exchanged = largest(dp);
   balance.directed = slack_of_parting(c, event, b, false, dp, dp_error, b.loads);
-  const W stored = detail::momentum_rounding(c, true, balance) + detail::momentum_rounding(c, false, balance);
+  detail::add_roundings(c, balance);
+  const W stored = balance.rounding_i + balance.rounding_j;
   const Vec<W> of_i = W(W(1) / b.inverse_i) * (balance.after_i - balance.before_i);
   // Δp turns the spins at R_i and R_j, whose sum the pair's distance is to a rounding only: u of the
   // distance, and where the scalar is wider than the scene's doubles, half an ulp of a double.

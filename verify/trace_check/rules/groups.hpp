@@ -75,9 +75,14 @@ void judge_members(const Context<Number>& c, const EventLine<Number>& event, boo
   const bool with_wall = loads && (model.fixed(event.i) || model.fixed(event.j));
   const bool whole_bodies = loads || is_kick(event.kind);
   std::vector<int> moving;
+  moving.reserve(2);
   for (const int side : {event.i, event.j}) {
     if (side < 0) continue;
-    const std::vector<int> all = whole_bodies ? model.members(side) : std::vector<int>{side};
+    if (!whole_bodies) {
+      moving.push_back(side);
+      continue;
+    }
+    const std::vector<int> all = model.members(side);
     moving.insert(moving.end(), all.begin(), all.end());
   }
   std::sort(moving.begin(), moving.end());
@@ -205,9 +210,10 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   sides.mu = W(1) / (sides.inverse_i + sides.inverse_j);
   sides.loads = body->loads + 1;
   sides.speeds_at_load = node.speeds;
-  judge_parted(c, event, sides, node.outer, dp, node.dp_error, sides.loads);
+  const Exchange<W> exchange = exchange_of(c, event, sides, node.outer, dp, node.dp_error);
+  judge_parted(c, event, sides, exchange);
   judge_direction(c, event, node.outer);
-  judge_parting_conservation(c, event, sides, node);
+  judge_parting_conservation(c, event, sides, exchange);
 }
 
 }  // namespace tps::check

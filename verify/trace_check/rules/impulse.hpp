@@ -42,7 +42,7 @@ template <typename Number>
 Work<Number> margin_of_kind(const BodiesNow<Number>& b, const PairRules<Number>& rules,
                             const Work<Number>& u) {
   using W = Work<Number>;
-  return ((W(8) * u + W(2) * detail::turn_of_axis(b)) * length(b.v) + b.drift()) *
+  return ((W(8) * u + W(2) * b.turn_of_axis()) * b.speed() + b.drift()) *
          (W(rules.c_retract) + rules.tan_theta);
 }
 
@@ -54,7 +54,7 @@ void judge_kind(const Context<Number>& c, const EventLine<Number>& event, const 
   using std::abs;
   const PairRules<Number>& rules = c.model.rules.of(b.i, b.j);
   const W v_n = b.v_n();
-  const W across = length(b.across());
+  const W across = b.speed_across();
   const W pulled = abs(W(rules.c_retract) * v_n);
   const W needed = rules.tan_theta * across;
   const W unit = margin_of_kind(b, rules, c.u()) * c.scale() + c.model.precision.smallest;
@@ -94,7 +94,7 @@ Expected<Work<Number>> expected_of(const Context<Number>& c, const EventLine<Num
     return expected;
   }
   if (event.kind == Kind::rebound) return {by_eq4(b, rules.c_rebound, false, c.u()), roundings, "(4)"};
-  const bool suffices = W(rules.c_retract) * b.v_n() > rules.tan_theta * length(b.across());
+  const bool suffices = W(rules.c_retract) * b.v_n() > rules.tan_theta * b.speed_across();
   const bool revolves = event.kind == Kind::revolve || (event.kind == Kind::broken && !suffices);
   if (revolves) return {by_eq5(b, rules, c.u()), roundings, "(5)"};
   return {by_eq4(b, rules.c_retract, true, c.u()), roundings, "(4)"};
@@ -109,7 +109,7 @@ bool is_vague(const Context<Number>& c, const BodiesNow<Number>& b, const Expect
   if (bound < length(expected.response.dp)) return false;
   c.tally.cannot_tell(Rule::impulse, [&] {
     return fmt::format("where the axis of {} is uncertain by {} radians and Δp by {}", c.pair(b.i, b.j),
-                       shown(detail::turn_of_axis(b)), shown(bound));
+                       shown(b.turn_of_axis()), shown(bound));
   });
   return true;
 }
@@ -177,8 +177,7 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
   const W stored =
       W(3) * c.u() * (after_i + after_j + W(3 + loads) / W(3) * inverse * largest(dp)) + inverse * error;
   // By how much rounding can turn v_n' (docs/engine.md): what is wrong by more was not rounding.
-  const auto coordinates = [&](int n) { return largest(c.model.position(n, event.t)); };
-  const W turn = (W(4) * c.u() * std::max(coordinates(b.i), coordinates(b.j)) + b.blur) / b.distance();
+  const W turn = (W(4) * c.u() * std::max(b.reach_i, b.reach_j) + b.blur) / b.distance();
   const W speeds = W(2) * (largest(b.v_i) + largest(b.v_j) + after_i + after_j + b.speeds_at_load);
   const W roundings = W(54 + 4 * loads) * c.u() + turn;
   DirectedSlack<W> slack = directed_slack(c, b, outer, b.v - inverse * dp, W(stored + b.drift()),
@@ -188,18 +187,42 @@ DirectedSlack<Work<Number>> slack_of_parting(const Context<Number>& c, const Eve
   return slack;
 }
 
+/// What two bodies that part exchange, and how far it and directed rounding may be off.
+template <typename W>
+struct Exchange {
+  Vec<W> dp;
+  W error;
+  DirectedSlack<W> slack;
+};
+
+template <typename Number>
+Exchange<Work<Number>> exchange_of(const Context<Number>& c, const EventLine<Number>& event,
+                                   const BodiesNow<Number>& b, bool outer, const Vec<Work<Number>>& dp,
+                                   const Work<Number>& error) {
+  return {dp, error, slack_of_parting(c, event, b, outer, dp, error, b.loads)};
+}
+/// At a collision that is not grouped: Δp as recorded or, where it is not, as it should be.
+template <typename Number>
+Exchange<Work<Number>> exchange_of(const Context<Number>& c, const EventLine<Number>& event,
+                                   const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
+  using W = Work<Number>;
+  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
+  const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
+  return exchange_of(c, event, b, event.kind != Kind::rebound, dp, error);
+}
+
 /// v + Δp/m on both sides, each to its rounding and that of a direction.
 template <typename Number>
 void judge_parted(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b,
-                  bool outer, const Vec<Work<Number>>& dp, const Work<Number>& error, int loads,
-                  const std::string& reading = {}) {
+                  const Exchange<Work<Number>>& exchange, const std::string& reading = {}) {
   using W = Work<Number>;
-  const DirectedSlack<W> slack = slack_of_parting(c, event, b, outer, dp, error, loads);
   const auto moved = [](const W& by, const W& inverse) { return inverse > W(0) ? W(by / inverse) : W(0); };
-  judge_velocity_after(c, event, b.i, b.v_i, dp, W(error + moved(slack.of_i, b.inverse_i)), b.inverse_i,
-                       loads, reading);
-  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * dp, W(error + moved(slack.of_j, b.inverse_j)),
-                       b.inverse_j, loads, reading);
+  judge_velocity_after(c, event, b.i, b.v_i, exchange.dp,
+                       W(exchange.error + moved(exchange.slack.of_i, b.inverse_i)), b.inverse_i, b.loads,
+                       reading);
+  judge_velocity_after(c, event, b.j, b.v_j, W(-1) * exchange.dp,
+                       W(exchange.error + moved(exchange.slack.of_j, b.inverse_j)), b.inverse_j, b.loads,
+                       reading);
 }
 
 /// Without an impulse nothing is computed: velocities stay, to the last bit.
@@ -223,15 +246,10 @@ void judge_unchanged(const Context<Number>& c, const EventLine<Number>& event) {
 /// The velocities after a collision that is not grouped: by eq. (3) with the recorded Δp.
 template <typename Number>
 void judge_free_velocities(const Context<Number>& c, const EventLine<Number>& event,
-                           const BodiesNow<Number>& b, const Expected<Work<Number>>& expected) {
-  using W = Work<Number>;
-  const bool broken = event.kind == Kind::broken;
-  if (broken) return judge_unchanged(c, event);
+                           const BodiesNow<Number>& b, const Expected<Work<Number>>& expected,
+                           const Exchange<Work<Number>>& exchange) {
   if (!event.dp && is_vague(c, b, expected)) return;
-  const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
-  const W error = event.dp ? W(0) : W(expected.roundings) * expected.response.error;
-  const std::string reading = event.dp ? "" : reading_of_velocities(c, event, b, expected);
-  judge_parted(c, event, b, event.kind != Kind::rebound, dp, error, b.loads, reading);
+  judge_parted(c, event, b, exchange, event.dp ? "" : reading_of_velocities(c, event, b, expected));
 }
 
 /// Eqs. (6) and (7): the common velocity, and the impulse that is kept.
@@ -264,7 +282,7 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
   if (!event.dp_stored) return;
   const Vec<W> dp = event.dp ? widened<W>(*event.dp) : expected.response.dp;
   const Vec<W> kept = dp - b.mu * b.v;
-  const W kept_unit = c.u() * (largest(dp) + W(6 + b.loads) / W(6) * b.mu * length(b.v)) +
+  const W kept_unit = c.u() * (largest(dp) + W(6 + b.loads) / W(6) * b.mu * b.speed()) +
                       (event.dp ? W(0) : W(expected.roundings / 6) * expected.response.error) +
                       b.mu * b.drift() / W(6) + model.precision.smallest;
   c.tally.within(Rule::impulse, as_double(W(largest(widened<W>(*event.dp_stored) - kept) / kept_unit)), 6,

@@ -19,6 +19,22 @@ struct LimitFlight {
   const char* limit() const { return asked.outer ? "outer" : "inner"; }
 };
 
+/// What exact arithmetic says of a pair at a limit.
+struct CertifiedTime {
+  TimingQuery query;
+  CollisionTime<double> answer;
+  exact::VerdictWithCoefficients known;
+};
+
+/// Nothing where the numbers of the pair are none of the scalar's.
+inline std::optional<CertifiedTime> certified_time(const Context<double>& c, const PairFlight<double>& pair,
+                                                   const LimitAsked<long double>& asked) {
+  const TimingQuery query = timing_query(pair, asked.outer, static_cast<double>(asked.L));
+  if (!valid(query)) return std::nullopt;
+  const exact::KnownTime time = c.exact.known_answer(query);
+  return CertifiedTime{query, time.answer, time.known};
+}
+
 namespace detail {
 
 template <typename Number>

@@ -30,11 +30,10 @@ constexpr int kRoundingsOfApproach = 8;
 
 /// Eight of these are what rounding may make of v_n at a limit, where it should be 0.
 template <typename Number>
-Work<Number> unit_of_v_n(const Context<Number>& c, const EventLine<Number>& event,
-                         const BodiesNow<Number>& b) {
+Work<Number> unit_of_v_n(const Context<Number>& c, const BodiesNow<Number>& b) {
   using W = Work<Number>;
-  const W reach = largest(c.model.position(b.i, event.t)) + largest(c.model.position(b.j, event.t));
-  return length(b.v) * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) + b.drift() +
+  const W reach = b.reach_i + b.reach_j;
+  return b.speed() * (c.u() * (W(1) + reach / b.distance()) + b.blur / b.distance()) + b.drift() +
          c.model.precision.smallest;
 }
 
@@ -54,7 +53,7 @@ std::string reading_of_impulse(const Context<Number>& c, const EventLine<Number>
     rules.speed_ratio = W(rules.c_revolve) * W(rules.theta_deg) / W(180);
     if (is(by_eq5(b, rules, c.u()))) return readings::kProduct;
   }
-  const bool may_approach = b.v_n() < W(kRoundingsOfApproach) * unit_of_v_n(c, event, b);
+  const bool may_approach = b.v_n() < W(kRoundingsOfApproach) * unit_of_v_n(c, b);
   if (event.kind == Kind::revolve && may_approach && length(dp) == W(0)) return readings::kNoPull;
   const bool outer = event.kind != Kind::rebound;
   if (event.kind != Kind::revolve &&

@@ -115,7 +115,8 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c,
                                                   const WallFlight<double>& flight) {
   std::optional<Turn<double>> turn;
   if (!flight.is_plane) {
-    turn = detail::certified_turn(c, flight.pair, flight.i, flight.i, flight.asked);
+    turn = detail::certified_turn(c, flight.pair, flight.i, flight.i, flight.asked,
+                                  certified_time(c, flight.pair, flight.asked));
   } else {
     const TimingQuery query = timing_query(c, flight);
     if (!valid(query)) return std::nullopt;
@@ -123,7 +124,8 @@ inline std::optional<Turn<double>> certified_turn(const Context<double>& c,
     if (!answer.t) return std::nullopt;
     const double dt = rounded_once(c.exact, query, *answer.t, c.model.precision);
     const Instant<double>& start = flight.pair.start;
-    turn = Turn<double>{later_by(start, dt, c.model.precision), Moment{start.hi, start.lo, query, 1}};
+    turn = Turn<double>{later_by(start, dt, c.model.precision),
+                        c.exact.known(Moment{start.hi, start.lo, query, 1})};
     turn->first = turn->second = flight.i;
   }
   if (turn) turn->rank = kRankAtWall;

@@ -66,9 +66,10 @@ void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event
   };
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {
-      c.tally.demand(Rule::contact,
-                     at_certified_time(c, event, flight.pair, flight.asked, timing_query(c, flight)),
-                     describe);
+      c.tally.demand(
+          Rule::contact,
+          at_certified_time(c, event, flight.pair, flight.asked, c.exact.answer(timing_query(c, flight))),
+          describe);
       return;
     }
   }
@@ -181,6 +182,7 @@ void judge_wall_rebound(const Context<Number>& c, const EventLine<Number>& event
   balance.speed_error = bound;
   balance.taken = expected.response.lost;
   balance.energy_error = expected.response.lost_by_turning;
+  detail::add_roundings(c, balance);
   const auto who = [&] {
     return fmt::format("particle {} and {}", c.model.id(event.i), surface_name(wall.surface));
   };
