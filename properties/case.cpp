@@ -34,6 +34,11 @@ std::string_view without_prefix(std::string_view key) {
   return dot == std::string_view::npos ? key : key.substr(dot + 1);
 }
 
+/// In the plane a case's spin is its first number.
+bool is_spin_in_the_plane(std::string_view key, int dimension) {
+  return dimension == 2 && without_prefix(key).starts_with("spin");
+}
+
 std::string number_text(double x) {
   const std::string decimal = fmt::format("{}", x);
   return decimal.size() <= 8 ? decimal : write_hex_float(x);
@@ -142,9 +147,10 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
   out << c.hazard << ", " << c.dimension << "-D";
   for (const auto& [key, values] : c.numbers) {
     out << ", " << key << " = ";
-    const bool list = values.size() != 1;
+    const std::size_t shown = is_spin_in_the_plane(key, c.dimension) ? 1 : values.size();
+    const bool list = shown != 1;
     if (list) out << '(';
-    for (std::size_t k = 0; k < values.size(); ++k) out << (k > 0 ? ", " : "") << number_text(values[k]);
+    for (std::size_t k = 0; k < shown; ++k) out << (k > 0 ? ", " : "") << number_text(values[k]);
     if (list) out << ')';
   }
   return out;

@@ -56,6 +56,8 @@ Outcome judged(Outcome outcome, bool bitwise) {
 }
 
 Examined examine(const Law& law, Implementation& subject, const Case& c, bool bitwise) {
+  if (const auto offered = subject.offered(); offered && !can_be_asked(law, *offered))
+    return {{Outcome::Kind::skipped, "what it needs is not among the ops of hello"}, {}};
   Interview interview(subject, c.dimension);
   Outcome outcome;
   try {

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/scene_variations.hpp"
@@ -18,6 +19,9 @@ namespace tps::properties::conform {
 namespace {
 
 constexpr const char* kContacts = "contacts";
+/// No scene has both.
+constexpr std::array<std::pair<const char*, const char*>, 2> kOpposites{
+    {{"2d", "3d"}, {"groups", "no-groups"}}};
 /// What scenes of contacts alone have not.
 constexpr std::array<const char*, 2> kNoContacts{"groups", "no-ties"};
 
@@ -110,6 +114,10 @@ void check_features(const std::vector<std::string>& words) {
     for (const FeatureFacts& facts : scene_features()) names.push_back(facts.name);
     throw std::invalid_argument(
         fmt::format("{} is no feature of scenes; there are {}", word, fmt::join(names, ", ")));
+  }
+  for (const auto& [one, other] : kOpposites) {
+    if (has(words, one) && has(words, other))
+      throw std::invalid_argument(fmt::format("{} and {} exclude each other: give one", one, other));
   }
   for (const char* word : kNoContacts) {
     if (has(words, kContacts) && has(words, word))

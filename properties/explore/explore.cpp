@@ -25,11 +25,6 @@ bool examined(LawReport& report, Implementation& subject, const Extent& extent,
   }
 }
 
-bool is_done(const LawReport& report) {
-  const bool is_final = report.finding && report.finding->outcome.kind != Outcome::Kind::refused;
-  return is_final || report.tally.skipped > 0;
-}
-
 }  // namespace
 
 std::uint64_t Exploration::held() const {
@@ -51,10 +46,10 @@ Exploration explore(Implementation& subject, const Plan& plan, const std::functi
   for (const Law* law : plan.laws) exploration.laws.push_back({law, {}, std::nullopt});
   const std::uint64_t end = plan.first + plan.count;
   while (exploration.next < end && !stop() &&
-         !std::all_of(exploration.laws.begin(), exploration.laws.end(), is_done)) {
+         !std::all_of(exploration.laws.begin(), exploration.laws.end(), std::mem_fn(&LawReport::is_done))) {
     const std::uint64_t count = std::min(kCasesOfARound, end - exploration.next);
     for (LawReport& report : exploration.laws) {
-      if (is_done(report)) continue;
+      if (report.is_done()) continue;
       if (!examined(report, subject, {plan.seed, exploration.next, count, plan.bitwise}, stop))
         return exploration;
     }

@@ -22,6 +22,10 @@ struct LawReport {
   const Law* law;
   Tally tally;
   std::optional<Finding> finding;  ///< the first; the law is not asked again, unless it is a refusal
+
+  /// Broken, or failed: the law is asked no further case.
+  bool is_broken() const { return finding && finding->outcome.kind != Outcome::Kind::refused; }
+  bool is_done() const { return is_broken() || tally.skipped > 0; }
 };
 
 struct Exploration {

@@ -78,6 +78,24 @@ std::string refused_in(const Exploration& exploration) {
   return refused > 0 ? fmt::format(", questions refused {}", refused) : "";
 }
 
+/// A broken law is not asked any case behind the one that broke it.
+std::string where_to_go_on(const Exploration& exploration) {
+  const auto numbered = [&](std::uint64_t first) {
+    return fmt::format("--seed {} --first {}", exploration.plan.seed, first);
+  };
+  std::optional<std::uint64_t> broken;
+  bool any_open = false;
+  for (const LawReport& report : exploration.laws) {
+    if (report.is_broken())
+      broken = std::min(broken.value_or(report.finding->number), report.finding->number);
+    any_open = any_open || !report.is_done();
+  }
+  if (!broken) return "go on with " + numbered(exploration.next);
+  const std::string mended = "once what is broken is mended, with " + numbered(*broken);
+  return any_open ? fmt::format("go on with {}, or, {}", numbered(exploration.next), mended)
+                  : "go on, " + mended;
+}
+
 std::string state_of(const LawReport& report) {
   if (report.finding) return loud_word_for(report.finding->outcome);
   if (report.tally.skipped > 0) return "not offered";
@@ -175,11 +193,10 @@ std::string exploration_text(const Exploration& exploration) {
                         report.law->text.id, report.tally.in_last_bits);
   }
   for (const Finding* finding : exploration.findings()) text += finding_text(*finding, exploration.plan);
-  return printable_lines(text) +
-         fmt::format("{}: laws {}, cases held {}, broken {}{}; go on with --seed {} --first {}\n",
-                     printable(exploration.subject), exploration.laws.size(), exploration.held(),
-                     broken_in(exploration), refused_in(exploration), exploration.plan.seed,
-                     exploration.next);
+  return printable_lines(text) + fmt::format("{}: laws {}, cases held {}, broken {}{}; {}\n",
+                                             printable(exploration.subject), exploration.laws.size(),
+                                             exploration.held(), broken_in(exploration),
+                                             refused_in(exploration), where_to_go_on(exploration));
 }
 
 std::string exploration_json(const Exploration& exploration) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <unordered_map>
 
+#include "reference/run/time_since_start.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/text/input_error.hpp"
@@ -48,7 +49,8 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
           "its last full state has the checksum of another: it was damaged, or edited; if it was "
           "edited, leave the checksum out"}});
   }
-  snapshot.t = nearest(state.now);
+  snapshot.t = time_since_start(snapshot.scene, state.now);
+  const double now = nearest(state.now);  // on the clock of positions: with drag not t
   std::unordered_map<std::int32_t, int> index_of;
   for (const Particle& p : snapshot.scene.particles) {
     index_of.emplace(p.id, static_cast<int>(index_of.size()));
@@ -57,7 +59,7 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
   try {
     for (const StateData::Particle& p : state.particles) {
       std::array<double, 3>& position = snapshot.positions[static_cast<std::size_t>(index_of.at(p.id))];
-      const double flight = snapshot.t - nearest(p.clock);
+      const double flight = now - nearest(p.clock);
       for (std::size_t k = 0; k < p.position.size() && k < 3; ++k) {
         position[k] = nearest(p.position.at(k)) + nearest(p.velocity.at(k)) * flight;
         if (!std::isfinite(position[k])) {

@@ -12,7 +12,7 @@ namespace tps {
 
 struct Snapshot {
   Scene scene;
-  double t = 0;                                  ///< since the start
+  double t = 0;                                  ///< since the start, with drag, too
   std::vector<std::array<double, 3>> positions;  ///< of Scene::particles, in their order
   std::vector<Tether> tethers;                   ///< that exist at t, permanent ones not among them
 };

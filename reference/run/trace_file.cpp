@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/run/resume.hpp"
+#include "reference/run/time_since_start.hpp"
 #include "reference/run/trace_lines.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
@@ -167,6 +168,7 @@ ResumePoint last_state(const std::string& path) {
 
 StateData last_state_until(const std::string& path, std::optional<double> until) {
   if (!until) return last_state(path).state;
+  const Scene scene = read_trace_head(path).scene;
   TraceLines lines(path);
   TraceOrder order;
   std::optional<StateData> found;
@@ -174,7 +176,7 @@ StateData last_state_until(const std::string& path, std::optional<double> until)
     if (order.next(lines).what != TraceLineKind::What::state) continue;
     order.require_sound();
     StateData state = lines.state();
-    if (std::strtod(state.now[0].c_str(), nullptr) > *until) break;
+    if (time_since_start(scene, state.now) > *until) break;
     found = std::move(state);
   }
   if (!found) fail(path, 0, "holds no full state up to that time");

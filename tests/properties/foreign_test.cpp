@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <ostream>
+#include <regex>
 #include <string>
 
 #include "tests/support/shell.hpp"
@@ -121,6 +122,37 @@ TEST_F(Foreign, AProgramThatIsNotThereIsTheOtherPrograms) {
   EXPECT_EQ(properties("--law Eq9 -- true").exit_code, 2);
   EXPECT_EQ(properties("--library x.so -- true").exit_code, 2);
   EXPECT_EQ(properties("--replay nothing.jsonl").exit_code, 3);
+}
+
+TEST_F(Foreign, OnlyWhatIsAmongItsOpsIsAsked) {
+  const Process right = command("only_load_offered");
+  EXPECT_EQ(right.exit_code, 0) << right.text;
+  expect_text(right, "(6) law 1              holds");
+  expect_text(right, "(2) law 1              not offered        0 held");
+  expect_text(right, "(3) law 1              not offered");
+  EXPECT_EQ(right.text.find("REFUSED"), std::string::npos) << right.text;
+}
+
+TEST_F(Foreign, ASpinInThePlaneIsShownAsOneNumber) {
+  const Process wrong = properties("--cases 40 --law 'RoughLaws.*' -- " + kPython + "no_rebound");
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.text;
+  EXPECT_TRUE(std::regex_search(wrong.text, std::regex(", 2-D, [^\n]*spin_A = [^(]"))) << wrong.text;
+  EXPECT_FALSE(std::regex_search(wrong.text, std::regex(", 2-D, [^\n]*spin_[AB] = \\("))) << wrong.text;
+}
+
+TEST_F(Foreign, ALawIsGoneOnWithAtTheCaseThatBrokeIt) {
+  const Process alone = command("sign", "--cases 40 --law 'Eq3Laws.Law1*'");
+  expect_text(alone, "broken 1; go on, once what is broken is mended, with --seed 20260101 --first ");
+  EXPECT_EQ(alone.text.find("--first 40"), std::string::npos) << alone.text;
+  const Process among_others = command("sign", "--cases 40 --law 'Eq3Laws.Law1*' --law 'Eq6Laws.*'");
+  expect_text(among_others,
+              "go on with --seed 20260101 --first 40, or, once what is broken is mended, with ");
+}
+
+TEST_F(Foreign, ALibraryThatIsNotThereCannotBeLoaded) {
+  const Process none = properties("--library /nonexistent.so");
+  EXPECT_EQ(none.exit_code, 4);
+  expect_text(none, "nonexistent.so: hello is answered with an error: cannot be loaded: /nonexistent.so: ");
 }
 
 TEST_F(Foreign, ARightLibraryPasses) {

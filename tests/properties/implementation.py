@@ -1,7 +1,7 @@
 """A small implementation of the protocol (docs/protocol.md): eqs. (3), (4) and (6) in doubles, right or wrong in one way.
 
 usage: implementation.py right | half_rebound | sign | crash | exit | hang | garbage | wrong_seq | truncated | nan
-       | short_vector | no_hello
+       | short_vector | no_hello | only_load_offered | no_rebound
 """
 
 import json
@@ -46,13 +46,24 @@ def load(m_A, m_B, v_A, v_B):
     return {"v_load": written(1 / (1 + m_B / m_A) * a + 1 / (1 + m_A / m_B) * b for a, b in zip(v_A, v_B))}
 
 
+def rough_impulse(v_A, v_B, spin_A, spin_B, **_):
+    return {"kind": "slides", "dp": written([0.0] * len(v_A)), "v_A": written(v_A), "v_B": written(v_B),
+            "spin_A": spin_A.hex() if len(v_A) == 2 else written(spin_A),
+            "spin_B": spin_B.hex() if len(v_A) == 2 else written(spin_B)}
+
+
 OPERATIONS = {"apply_impulse": apply_impulse, "collision_impulse": collision_impulse, "load": load}
+if MODE == "no_rebound":
+    OPERATIONS["rough_impulse"] = rough_impulse
 
 
 def reply_to(request):
     if "hello" in request:
-        return json.dumps({"version": 1} if MODE == "no_hello" else {"name": "python", "bits": 53})
+        return json.dumps({"version": 1} if MODE == "no_hello" else
+                          {"name": "python", "bits": 53} | ({"ops": ["load"]} if MODE == "only_load_offered" else {}))
     seq, op = request["seq"], request["op"]
+    if MODE == "only_load_offered" and op != "load":
+        return json.dumps({"seq": seq, "error": "bad_input", "message": "not offered"})
     if op not in OPERATIONS:
         return json.dumps({"seq": seq, "skip": "unknown_op"})
     if MODE == "crash":

@@ -1,9 +1,11 @@
 // tps eval with operations of the protocol, and --why.
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "reference/text/hexfloat.hpp"
 #include "tests/support/shell.hpp"
 
 namespace {
@@ -37,6 +39,42 @@ TEST(Why, NamesTheStageThatSettledTheVerdict) {
   EXPECT_EQ(result("block_time --why u_A=0,0 u_B=5,0 v_A=1,1 v_B=1,1 L=1")["out"]["verdict_by"],
             "equal velocities");
   EXPECT_EQ(result("block_time --why " + query("-1e300,0") + "L=1")["steps"]["doubles"], "out of range");
+}
+
+// r·v and r·r − L² of integers: what is told is the exact number to the bound that is told.
+TEST(Why, DoubleWordsAreToldToTheirBounds) {
+  using Integer = boost::multiprecision::cpp_int;
+  const auto exactly = [](const nlohmann::json& text) {  // in units of 2^-300
+    const auto number = tps::split_hex(text.get<std::string>()).value();
+    const Integer digits = Integer("0x0" + number.digits) << static_cast<unsigned>(number.exponent + 300);
+    return number.negative ? Integer(-digits) : digits;
+  };
+  const Integer x("0x123456789abd"), y("0xfedcba987654"), v("0x1000000000001");
+  const nlohmann::json steps = result(
+      "block_time --why u_A=0,0 u_B=-20015998343869,280223976814164 v_A=0,0 v_B=281474976710657,1 "
+      "L=280223976814164")["steps"];
+  const auto told = [&](const std::string& name, const Integer& true_value) {
+    const std::string key = "double_words_" + name;
+    ASSERT_TRUE(steps.contains(key)) << steps;
+    const Integer off = exactly(steps[key]) + exactly(steps[key + "_lower"]) - (true_value << 300U);
+    EXPECT_LE(abs(off), exactly(steps[key + "_bound"])) << name;
+    if (name == "a") return;  // the bound is that of doubles
+    const Integer off_alone = exactly(steps[key]) - (true_value << 300U);
+    EXPECT_GT(abs(off_alone), exactly(steps[key + "_bound"])) << name << ": the case says nothing";
+  };
+  told("a", v * v + 1);
+  told("h", y - x * v);
+  told("c", x * x);
+}
+
+// The equations in double have no answer: the differences are beyond its range.
+TEST(Why, AnswersWhatDoublesCannot) {
+  const nlohmann::json far = result("block_time --why u_A=-1.7e308,0 u_B=1.7e308,0 v_A=1,0 v_B=-1,0 L=1");
+  EXPECT_EQ(far["out"]["verdict"], "hit");
+  EXPECT_EQ(far["out"]["verdict_by"], "integers");
+  EXPECT_EQ(far["out"]["t"], "0x1.e42d130773b76p+1023");  // 1.7e308 − 1/2
+  EXPECT_EQ(far["out"]["verdict_in_double"], "beyond its range");
+  EXPECT_EQ(far["out"]["t_in_double"], nullptr);
 }
 
 // Found by search: the double answer of this query is one ulp below the correctly rounded one.

@@ -141,6 +141,11 @@ TEST(Builders, ErrorsNameOptionValueAndRange) {
             "--moving is 6; allowed is an integer from 0 to --particles, 5");
   EXPECT_NE(message_of("sheet", {{"spacing", "1.5"}}).find("neighbours must start within their tethers"),
             std::string::npos);
+  EXPECT_EQ(message_of("terminal", {{"impact-at", "80"}}),
+            "--impact-at is 80; impacts begin before --duration, 80, or there are none: --impacts 0");
+  EXPECT_NE(
+      message_of("gas", {{"particles", "2"}, {"periodic", "1"}}).find("--periodic 1, --particles 2 and"),
+      std::string::npos);
   EXPECT_NE(message_of("gas", {{"density", "1"}}).find("lower the density"), std::string::npos);
   EXPECT_NE(message_of("terminal", {{"vesicles", "400"}}).find("--membrane-radius"), std::string::npos);
   EXPECT_THROW(scene_builder("teminal"), std::invalid_argument);

@@ -70,6 +70,17 @@ TEST(TimeBracket, ConditionGrowsTowardsAGraze) {
   }
 }
 
+// √D is 2^-85 of |h|, and the time 2/3 of the smallest double: neither a t + h nor the nearest double will
+// do.
+TEST(TimeBracket, ConditionIsThatOfTheExactTime) {
+  const exact::TimingQuery graze = relative(Kind::tether, {-0x1p60, 1, 0}, {1, 0, 0}, 1 + 0x1p-52);
+  const double expected = 0x1p61 / std::sqrt(0x1p-52 * (2 + 0x1p-52));
+  EXPECT_NEAR(*condition(graze, prove(graze)), expected, 1e-12 * expected);
+  const exact::TimingQuery soon =
+      relative(Kind::tether, {-3 * min_double, 4 * min_double, 0}, {2, 1, -1}, 5 * min_double);
+  EXPECT_NEAR(*condition(soon, prove(soon)), 24.75, 1e-12);
+}
+
 TEST(Twins, AreTheTwoDoublesAtTheEdge) {
   for (const double sign : {1.0, -1.0}) {
     const auto [near, far] = straddling_doubles(sign * 1.0, sign * 2.0, [](double x) { return x * x < 2; });

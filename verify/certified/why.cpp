@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/double_word_filter.hpp"
+#include "verify/exact/double_word_values.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/lifted_query.hpp"
 #include "verify/exact/rounded_time.hpp"
@@ -34,7 +36,10 @@ Quantity time(const std::string& key, const std::string& symbol, const std::opti
   return {key, symbol, "", {}, false, ""};
 }
 
-/// What double arithmetic says, by the reference's own equations.
+constexpr const char* kBeyond = "beyond its range";
+
+/// What double arithmetic says, by the reference's own equations; kBeyond where they have no answer in
+/// double.
 struct Computed {
   std::string verdict;
   std::optional<double> t;
@@ -42,30 +47,50 @@ struct Computed {
 
 Computed computed(const TimingInput& input) {
   Computed result;
-  for (const Quantity& q : eval::evaluate(input.operation(), input.numbers, "double").results) {
-    if (q.key == "verdict") result.verdict = q.word;
-    if (q.key == "t" && !q.numbers.empty()) result.t = from_hex<double>(q.numbers[0].hex);
+  try {
+    for (const Quantity& q : eval::evaluate(input.operation(), input.numbers, "double").results) {
+      if (q.key == "verdict") result.verdict = q.word;
+      if (q.key == "t" && !q.numbers.empty()) result.t = from_hex<double>(q.numbers[0].hex);
+    }
+  } catch (const InputError&) {
+    result.verdict = kBeyond;
   }
   return result;
 }
 
+/// What is to be added to the doubles of a stage that knows more than they hold.
+struct LowerParts {
+  double a, h, c, D;
+};
+
+LowerParts lower_parts(const exact::TimingQuery& query) {
+  const exact::DoubleWordValues q = exact::double_word_values(query);
+  return {q.a.lo, q.h.lo, q.c.lo, q.D.lo};
+}
+
 void add_stage(Report& report, const std::string& prefix, const std::string& stage, const std::string& title,
-               const exact::Coefficients& q) {
+               const exact::Coefficients& q, const std::optional<LowerParts>& lower = std::nullopt) {
   const std::string key = prefix + stage;
   if (!q.in_range) {
     report.steps.push_back(word(key, prefix + title, "out of range"));
     return;
   }
-  const auto add = [&](const char* name, const char* formula, double x, double bound) {
+  const auto add = [&](const char* name, const char* formula, double x, double LowerParts::*rest,
+                       double bound) {
     report.steps.push_back(
         number(fmt::format("{}_{}", key, name), fmt::format("{}{} in {}", prefix, name, title), formula, x));
+    if (lower) {
+      report.steps.push_back(number(fmt::format("{}_{}_lower", key, name),
+                                    fmt::format("{}{} in {}, and added to it", prefix, name, title), "",
+                                    (*lower).*rest));
+    }
     report.steps.push_back(number(fmt::format("{}_{}_bound", key, name),
                                   fmt::format("{}{} in {}, at most off by", prefix, name, title), "", bound));
   };
-  add("a", "v·v", q.a, 6 * exact::unit_roundoff * q.a);
-  add("h", "r·v", q.h, q.h_error);
-  add("c", "r·r - L²", q.c, q.c_error);
-  add("D", "h² - ac", q.D, q.D_error);
+  add("a", "v·v", q.a, &LowerParts::a, 6 * exact::unit_roundoff * q.a);
+  add("h", "r·v", q.h, &LowerParts::h, q.h_error);
+  add("c", "r·r - L²", q.c, &LowerParts::c, q.c_error);
+  add("D", "h² - ac", q.D, &LowerParts::D, q.D_error);
 }
 
 std::string_view spelled(exact::Sign sign) {
@@ -79,7 +104,8 @@ std::string_view add_stages(Report& report, const std::string& prefix, const exa
   add_stage(report, prefix, "doubles", "doubles", exact::double_coefficients(query));
   if (exact::is_static(query)) return "equal velocities";
   if (counters.verdict.uncertain == 0) return "doubles";
-  add_stage(report, prefix, "double_words", "double words", exact::double_word_coefficients(query));
+  add_stage(report, prefix, "double_words", "double words", exact::double_word_coefficients(query),
+            lower_parts(query));
   if (counters.verdict.exact == 0) return "double words";
   const exact::LiftedQuadratic q = exact::lifted_quadratic(query, exact::units_of(query));
   report.steps.push_back(word(prefix + "integers", prefix + "integers",
@@ -121,6 +147,7 @@ std::string ulps_off(const std::optional<double>& found, const std::optional<dou
 }
 
 std::string_view order_in_double(const Computed& first, const Computed& second) {
+  if (first.verdict == kBeyond || second.verdict == kBeyond) return kBeyond;
   if (!first.t && !second.t) return "none";
   if (!second.t) return "before";
   if (!first.t) return "after";

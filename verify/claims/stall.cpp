@@ -51,7 +51,7 @@ double bisect(ScalarKind scalar, double expected) {
 
 template <typename Scalar>
 Figure threshold(const std::string& name, ScalarKind scalar) {
-  // Rounding errors live on for 1/(1 − √e) = 22 collisions before they are damped away, and velocities near
+  // Rounding errors live on for 1/(1 − √e) = 23 collisions before they are damped away, and velocities near
   // 1/2 have half or a quarter of ε as their ulp: the speed that is lost in noise is ε times or by 16.
   constexpr double kNoise = 16;
   const double log10_epsilon =

@@ -63,6 +63,19 @@ int report(const char* what, int exit_code) {
   return exit_code;
 }
 
+/// The word that stands where a verb has to, and is none; empty where the mistake is another.
+std::string unknown_verb(const CLI::App& app) {
+  const CLI::App* asked = &app;
+  while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
+  const std::vector<std::string> words = asked->remaining();
+  if (asked->get_require_subcommand_min() == 0 || words.empty() || words.front().starts_with('-')) return {};
+  std::vector<std::string> known;
+  for (const CLI::App* verb : asked->get_subcommands([](const CLI::App*) { return true; }))
+    known.push_back(verb->get_name());
+  return fmt::format("{}: there is no {}; there are {}", asked == &app ? "tps" : "tps " + asked->get_name(),
+                     words.front(), fmt::join(known, ", "));
+}
+
 /// What CLI11 says: help and the like on standard output, errors of usage on the other.
 int answer_usage(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out, err;  // what is wrong with a command line quotes it
@@ -90,6 +103,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return exit_code;
+  } catch (const CLI::RequiredError& error) {
+    const std::string unknown = unknown_verb(app);
+    return unknown.empty() ? answer_usage(app, error) : report(unknown.c_str(), tps::cli::kUsage);
   } catch (const CLI::ParseError& error) {
     return answer_usage(app, error);
   } catch (const tps::cli::NotBuilt& error) {

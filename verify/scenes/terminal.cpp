@@ -125,6 +125,11 @@ void check(const TerminalParams& params) {
     throw std::invalid_argument(fmt::format("--impacts is {}; allowed is an integer from 0 to --vesicles, {}",
                                             params.impacts, params.vesicles));
   }
+  if (params.impacts > 0 && !(params.impact_at < params.duration)) {
+    throw std::invalid_argument(
+        fmt::format("--impact-at is {}; impacts begin before --duration, {}, or there are none: --impacts 0",
+                    params.impact_at, params.duration));
+  }
 }
 
 }  // namespace

@@ -3,11 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "reference/text/plain_json.hpp"
 
 namespace tps::vectors {
+
+using namespace std::string_view_literals;
+
+namespace {
+
+/// Committed cases whose answer has changed since they were first written. 2: the condition is that of the
+/// exact time, where √D had cancelled in a t + h or the time underflows; some by a unit in the third digit.
+constexpr std::array kSecondRevision{
+    "block_time.subnormal.00121"sv,  "block_time.twins.00115"sv,      "block_time.twins.00165"sv,
+    "tether_time.subnormal.00079"sv, "tether_time.subnormal.00101"sv, "tether_time.subnormal.00108"sv,
+    "tether_time.subnormal.00109"sv, "tether_time.subnormal.00126"sv, "tether_time.subnormal.00130"sv,
+    "tether_time.twins.00027"sv,     "tether_time.twins.00149"sv,     "tether_time.wide.00047"sv,
+    "tether_time.wide.00102"sv};
+
+int revision_of(std::string_view id, std::uint64_t seed) {
+  const bool is_second = seed == kCommittedSeed && std::find(kSecondRevision.begin(), kSecondRevision.end(),
+                                                             id) != kSecondRevision.end();
+  return is_second ? 2 : 1;
+}
+
+}  // namespace
 
 const std::vector<Stratum>& strata() {
   static const std::vector<Stratum> table = [] {
@@ -51,7 +74,7 @@ Json case_object(const Stratum& stratum, std::uint64_t seed, std::uint64_t numbe
   Random random(seed, stratum.file_name(), number / together);
   const Problem problem = stratum.problem(random, number);
   const auto id = [&](std::uint64_t n) { return fmt::format("{}.{}.{:05}", stratum.op, stratum.name, n); };
-  Json line{{"id", id(number)}, {"rev", 1}, {"in", problem.in}};
+  Json line{{"id", id(number)}, {"rev", revision_of(id(number), seed)}, {"in", problem.in}};
   line.update(known_answer(stratum.op, problem.in));
   line["tags"] = problem.tags;
   if (together == 2) line["twin"] = id(number ^ 1U);

@@ -170,20 +170,25 @@ std::optional<double> condition(const exact::TimingQuery& query, const TimingPro
     const Wide cond = gap_terms / std::fabs(gap) + w_terms / std::fabs(w);
     return std::isfinite(cond) ? std::optional(static_cast<double>(cond)) : std::nullopt;
   }
-  Wide a = 0, H = 0, h = 0, r_squared = 0;
+  Wide H = 0, M = Wide(query.L) * Wide(query.L);
   for (std::size_t k = 0; k < 3; ++k) {
     const Wide r = Wide(query.u_B[k]) - Wide(query.u_A[k]);
     const Wide v = Wide(query.v_B[k]) - Wide(query.v_A[k]);
-    a += v * v;
-    h += r * v;
     H += std::fabs(r * v);
-    r_squared += r * r;
+    M += r * r;
   }
+  // Each from its integer, so that nothing has cancelled, and a time that underflows is not that of a double.
+  const exact::LiftUnits units = exact::units_of(query);
+  const LiftedQuadratic q = exact::lifted_quadratic(query, units);
+  const auto lowered = [](const Integer& x, int unit) { return std::ldexp(x.convert_to<Wide>(), unit); };
+  const Wide a = lowered(q.a, 2 * units.speed), c = lowered(q.c, 2 * units.length);
+  const Wide h = lowered(q.h, units.length + units.speed);
   if (proof.verdict == Verdict::turning) return static_cast<double>(H / std::fabs(h));
-  const Wide t = proof.bracket->nearest;
-  const Wide M = r_squared + Wide(query.L) * Wide(query.L);
-  const Wide slope = std::fabs(a * t + h);  // √D, without its cancellation from h² − a c
-  return static_cast<double>((a * t * t + 2 * H * t + M) / (2 * t * slope));
+  const Wide root = std::ldexp(std::sqrt(q.D.convert_to<Wide>()), units.length + units.speed);
+  const Wide towards = std::fabs(h) + root;
+  const bool is_by_a = query.kind == exact::Kind::tether && h <= 0;
+  const Wide t = is_by_a ? towards / a : std::fabs(c) / towards;
+  return static_cast<double>((a * t * t + 2 * H * t + M) / (2 * t * root));
 }
 
 }  // namespace tps::vectors

@@ -39,7 +39,7 @@ std::string dyadic_text(const Dyadic& x);
 /// REQUIRES valid(query). Throws std::logic_error if a filtered verdict or time contradicts the integers.
 TimingProof prove(const exact::TimingQuery& query);
 
-/// How much a relative error u in every coefficient changes t, in units of u:
+/// How much a relative error u in every term of the coefficients changes the exact t at most, in units of u:
 /// (a t² + 2 Σ|r_k v_k| t + |r|² + L²) / (2 t √D) at a root, Σ|r_k v_k| / |h| at a `turning`, (Σ|n_k r_k| +
 /// L) / (n·r − L) + Σ|n_k v_k| / |n·v| at a plane. Absent at t = 0 and beyond the doubles.
 std::optional<double> condition(const exact::TimingQuery& query, const TimingProof& proof);
