@@ -6,8 +6,8 @@
 
 namespace tps {
 
-/// The time since the start of a state of the scene with that `now`, to the nearest double: with drag `now` is
-/// a clock s, and what is meant is t (docs/effects.md). ∞ for a clock that never comes.
+/// The time since the start of a state of the scene with that `now`, to the nearest double: with drag `now`
+/// is a clock s, and what is meant is t (docs/effects.md). ∞ for a clock that never comes.
 double time_since_start(const Scene& scene, const HexTime& now);
 
 }  // namespace tps
