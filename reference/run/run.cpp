@@ -1,12 +1,15 @@
 #include "reference/run/run.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/output.hpp"
 #include "reference/version.hpp"
 
 namespace tps {
@@ -109,6 +112,11 @@ RunSummary resume_run(const std::string& path, const RunOptions& options, bool& 
   resumed.scalar = head.scalar;
   resumed.timing = head.timing;
   resumed.state_every = head.state_every;
+  // A trace that is still being written may grow faster than it is read.
+  std::optional<Output> held;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(options.trace, ignored))
+    held.emplace(options.trace, Output::Reserve::only);
   ResumePoint point = last_state(path);
   unprotected = point.state.checksum == StateData::Checksum::absent;
   if (is_checkpoint(path) && !options.trace.empty()) {
@@ -116,6 +124,7 @@ RunSummary resume_run(const std::string& path, const RunOptions& options, bool& 
     point.from = options.trace;
     point.keep = place_behind_state(options.trace, point.state.k);
   }
+  held.reset();
   try {
     return run_any(head.scene, resumed, &point);
   } catch (const StateDoesNotFit& problem) {

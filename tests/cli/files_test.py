@@ -214,6 +214,22 @@ def exclude_two_writers(tps, failures):
             (folder / name).unlink()
 
 
+def refuse_to_go_on_in_a_file_before_it_is_read(tps, failures):
+    """What is written to meanwhile may grow faster than it is read: here the reader would find no full state."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        make_files(tps, folder)
+        head = (folder / "trace").read_text().splitlines()[0]
+        (folder / "begun").write_text(head + "\n")
+        with open(folder / "begun", "a") as writer:
+            fcntl.flock(writer, fcntl.LOCK_EX)
+            code, _, err = processes.run([tps, "run", "--resume", "begun", "-q"], cwd=scratch)
+        failures.expect(code == OUTPUT_FAILED and "another process" in err, f"resuming what another writes: {code}, {err}")
+        code, _, err = processes.run([tps, "run", "--resume", "begun", "-q"], cwd=scratch)
+        failures.expect(code == BAD_INPUT and "no full state" in err, f"afterwards: {code}, {err}")
+        failures.expect((folder / "begun").read_text() == head + "\n", "what could not be taken up was changed")
+
+
 def refuse_a_locked_output_before_the_start(tps, failures):
     """The start of a run can take minutes: its files are locked before it, and touched after it. A start that fails shows
     which comes first."""
@@ -243,6 +259,7 @@ def main():
     refuse_shared_files(tps, failures)
     survive_closed_descriptors(tps, failures)
     exclude_two_writers(tps, failures)
+    refuse_to_go_on_in_a_file_before_it_is_read(tps, failures)
     refuse_a_locked_output_before_the_start(tps, failures)
     return failures.conclude("files of a call")
 
