@@ -142,7 +142,7 @@ class Program final : public Implementation {
       // Said below, as of any other line that is no answer.
     }
     if (hello.is_object() && hello.contains("error"))
-      return "hello is answered with an error: " + printable(word_of(hello["error"]), 400);
+      return "hello is answered with an error: " + words(hello["error"], 400);
     if (!hello.is_object() || !hello.contains("name"))
       return "the answer to hello has no name: " + printable(line, 200);
     read_offer(hello);
@@ -158,10 +158,6 @@ class Program final : public Implementation {
       bits_ = bits->get<int>();
     }
     return {};
-  }
-
-  static std::string word_of(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : tps::shown(value);
   }
 
   void read_offer(const Json& hello) {

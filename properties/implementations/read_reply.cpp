@@ -17,11 +17,6 @@ Answer garbage(std::string_view line, std::string_view why) {
   return {Answer::Status::failed, {}, fmt::format("garbage: {}: {}", why, printable(line, kShown))};
 }
 
-/// What the other program said, fit for a line of a report.
-std::string words(const Json& value) {
-  return value.is_string() ? printable(value.get_ref<const std::string&>(), kShown) : tps::shown(value);
-}
-
 /// Words for what JSON has no numbers for and many writers of JSON write all the same: NaN, Infinity. What is
 /// said is an answer, if a wrong one, and no breach of the protocol.
 std::string with_words_for_no_numbers(std::string_view line) {
@@ -61,6 +56,10 @@ Json document_of(std::string_view line) {
 
 }  // namespace
 
+std::string words(const Json& value, std::size_t longest) {
+  return value.is_string() ? printable(value.get_ref<const std::string&>(), longest) : tps::shown(value);
+}
+
 std::string request_line(std::uint64_t seq, const Question& question) {
   return json_text(Json{{"seq", seq}, {"op", question.op}, {"in", question.in}});
 }
@@ -80,8 +79,8 @@ Answer read_reply(std::string_view line, std::uint64_t seq) {
             fmt::format("seq {} was asked, {} answered", seq, tps::shown(reply["seq"]))};
   const auto reason = [&](const char* key) {
     const auto message = reply.find("message");
-    const std::string kind = words(reply[key]);
-    return message != reply.end() && message->is_string() ? kind + ": " + words(*message) : kind;
+    const std::string kind = words(reply[key], kShown);
+    return message != reply.end() && message->is_string() ? kind + ": " + words(*message, kShown) : kind;
   };
   if (reply.contains("out")) return {Answer::Status::answered, std::move(reply["out"])};
   if (reply.contains("skip")) return {Answer::Status::skipped, {}, reason("skip")};

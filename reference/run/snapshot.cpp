@@ -1,7 +1,6 @@
 #include "reference/run/snapshot.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <unordered_map>
 
@@ -12,14 +11,6 @@
 
 namespace tps {
 namespace {
-
-/// Hexadecimal floats of any length, to the nearest double: good enough for a picture.
-double nearest(const Hex& text) {
-  return std::strtod(text.c_str(), nullptr);
-}
-double nearest(const HexTime& time) {
-  return nearest(time[0]) + nearest(time[1]);
-}
 
 bool starts_like_a_scene(const std::string& path) {
   std::ifstream in(path);
@@ -42,7 +33,7 @@ Snapshot read_snapshot(const std::string& path, std::optional<double> at) {
   if (path == "-" || starts_like_a_scene(path)) return of_scene(read_scene_file(path));
   Snapshot snapshot;
   snapshot.scene = read_trace_head(path).scene;
-  const StateData state = last_state_until(path, at);
+  const StateData state = last_state_until(path, snapshot.scene, at);
   if (state.checksum == StateData::Checksum::wrong) {
     throw InputError(
         {{path, 0, "",

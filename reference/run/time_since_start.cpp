@@ -18,8 +18,15 @@ Dyadic exactly(const Hex& text) {
 
 }  // namespace
 
+double nearest(const Hex& text) {
+  return std::strtod(text.c_str(), nullptr);
+}
+double nearest(const HexTime& time) {
+  return nearest(time[0]) + nearest(time[1]);
+}
+
 double time_since_start(const Scene& scene, const HexTime& now) {
-  if (!scene.drag) return std::strtod(now[0].c_str(), nullptr);
+  if (!scene.drag) return nearest(now);
   const Dyadic s = exactly(now[0]) + exactly(now[1]);
   const bool is_reached = drag_factor(scene.drag->gamma, s).sign() > 0;
   return is_reached ? drag_time(scene.drag->gamma, s, 0) : HUGE_VAL;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -166,9 +165,8 @@ ResumePoint last_state(const std::string& path) {
   return point;
 }
 
-StateData last_state_until(const std::string& path, std::optional<double> until) {
+StateData last_state_until(const std::string& path, const Scene& scene, std::optional<double> until) {
   if (!until) return last_state(path).state;
-  const Scene scene = read_trace_head(path).scene;
   TraceLines lines(path);
   TraceOrder order;
   std::optional<StateData> found;

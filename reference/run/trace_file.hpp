@@ -36,8 +36,9 @@ std::string head_line(std::string_view kind, const Scene& scene, const RunOption
 /// The last full state of a trace or checkpoint. Throws InputError where there is none.
 ResumePoint last_state(const std::string& path);
 
-/// The last full state whose time since the start is at most `until`, if that is given. Throws InputError.
-StateData last_state_until(const std::string& path, std::optional<double> until);
+/// The last full state whose time since the start is at most `until`, if that is given, of a trace of that
+/// scene. Throws InputError.
+StateData last_state_until(const std::string& path, const Scene& scene, std::optional<double> until);
 
 /// Whether a file is a checkpoint; otherwise it should be a trace. Throws InputError when it cannot be read.
 bool is_checkpoint(const std::string& path);

@@ -11,10 +11,6 @@
 namespace tps {
 namespace {
 
-/// The box has to be wider than two interaction distances by this part of itself: else the nearest image of a
-/// pair that meets is not certain, and would have to be chosen again at once.
-constexpr double kSpare = 1. / 64;
-
 bool is_open(double edge) {
   return std::isinf(edge);
 }
@@ -23,7 +19,7 @@ void check_width(const Scene& scene, std::size_t k, double edge, SceneSource& so
   for (const PairLaw& law : scene.pairs) {
     const double blocking = law.blocking ? law.blocking->distance : 0;
     const double longest = law.tethering ? std::max(law.tethering->distance, blocking) : blocking;
-    if (edge * (1 - kSpare) > 2 * longest) continue;
+    if (is_wide_enough(edge, longest)) continue;
     source.report(
         fmt::format("/box/periodic/{}", k),
         fmt::format("found {}; {} and {} interact over {}: a periodic edge must exceed two interaction "
@@ -64,6 +60,13 @@ void check_walls_in_box(const Scene& scene, SceneSource& source) {
 }
 
 }  // namespace
+
+bool is_wide_enough(double edge, double interaction_distance) {
+  // Without something to spare the nearest image of a pair that meets is not certain, and would have to be
+  // chosen again at once.
+  constexpr double kSpare = 1. / 64;
+  return edge * (1 - kSpare) > 2 * interaction_distance;
+}
 
 void check_box(const Scene& scene, SceneSource& source) {
   if (!scene.box) return;

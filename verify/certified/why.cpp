@@ -58,39 +58,31 @@ Computed computed(const TimingInput& input) {
   return result;
 }
 
-/// What is to be added to the doubles of a stage that knows more than they hold.
-struct LowerParts {
-  double a, h, c, D;
-};
-
-LowerParts lower_parts(const exact::TimingQuery& query) {
-  const exact::DoubleWordValues q = exact::double_word_values(query);
-  return {q.a.lo, q.h.lo, q.c.lo, q.D.lo};
-}
-
+/// `words`: of a stage that knows more than doubles hold, what is to be added to them.
 void add_stage(Report& report, const std::string& prefix, const std::string& stage, const std::string& title,
-               const exact::Coefficients& q, const std::optional<LowerParts>& lower = std::nullopt) {
+               const exact::Coefficients& q,
+               const std::optional<exact::DoubleWordValues>& words = std::nullopt) {
   const std::string key = prefix + stage;
   if (!q.in_range) {
     report.steps.push_back(word(key, prefix + title, "out of range"));
     return;
   }
-  const auto add = [&](const char* name, const char* formula, double x, double LowerParts::*rest,
-                       double bound) {
+  const auto add = [&](const char* name, const char* formula, double x,
+                       exact::DoubleWord exact::DoubleWordValues::*member, double bound) {
     report.steps.push_back(
         number(fmt::format("{}_{}", key, name), fmt::format("{}{} in {}", prefix, name, title), formula, x));
-    if (lower) {
+    if (words) {
       report.steps.push_back(number(fmt::format("{}_{}_lower", key, name),
                                     fmt::format("{}{} in {}, and added to it", prefix, name, title), "",
-                                    (*lower).*rest));
+                                    ((*words).*member).lo));
     }
     report.steps.push_back(number(fmt::format("{}_{}_bound", key, name),
                                   fmt::format("{}{} in {}, at most off by", prefix, name, title), "", bound));
   };
-  add("a", "v·v", q.a, &LowerParts::a, 6 * exact::unit_roundoff * q.a);
-  add("h", "r·v", q.h, &LowerParts::h, q.h_error);
-  add("c", "r·r - L²", q.c, &LowerParts::c, q.c_error);
-  add("D", "h² - ac", q.D, &LowerParts::D, q.D_error);
+  add("a", "v·v", q.a, &exact::DoubleWordValues::a, 6 * exact::unit_roundoff * q.a);
+  add("h", "r·v", q.h, &exact::DoubleWordValues::h, q.h_error);
+  add("c", "r·r - L²", q.c, &exact::DoubleWordValues::c, q.c_error);
+  add("D", "h² - ac", q.D, &exact::DoubleWordValues::D, q.D_error);
 }
 
 std::string_view spelled(exact::Sign sign) {
@@ -105,7 +97,7 @@ std::string_view add_stages(Report& report, const std::string& prefix, const exa
   if (exact::is_static(query)) return "equal velocities";
   if (counters.verdict.uncertain == 0) return "doubles";
   add_stage(report, prefix, "double_words", "double words", exact::double_word_coefficients(query),
-            lower_parts(query));
+            exact::double_word_values(query));
   if (counters.verdict.exact == 0) return "double words";
   const exact::LiftedQuadratic q = exact::lifted_quadratic(query, exact::units_of(query));
   report.steps.push_back(word(prefix + "integers", prefix + "integers",

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "reference/scene/check_box.hpp"
 #include "verify/scenes/gas.hpp"
 #include "verify/scenes/thermal.hpp"
 
@@ -44,8 +45,7 @@ Scene build_gas_in_cube(const GasParams& params) {
   const bool periodic = params.periodic != 0;
   constexpr double kRadius = 0.5;
   const double edge = cube_edge(params.particles, params.density);
-  // What check_box() asks of an edge: two interaction distances and a 64th of itself.
-  if (periodic && !(edge * (1 - 1. / 64) > 4 * kRadius)) {
+  if (periodic && !is_wide_enough(edge, 2 * kRadius)) {
     throw std::invalid_argument(fmt::format(
         "--periodic 1, --particles {} and --density {}: in a cube of edge {} a sphere would meet two "
         "images of another at once; take more particles or lower the density",

@@ -38,7 +38,7 @@ class Expiries {
   /// The earliest one, if it is at or before t; null otherwise.
   const Expiry* next(double t) {
     while (soon_.empty() && horizon_ <= t && !later_.empty()) look_further();
-    return !soon_.empty() && soon_.top().t <= t ? &soon_.top() : nullptr;
+    return probably_next(t);
   }
   /// The one that next() gave. REQUIRES that it gave one, and nothing has been done since.
   void pop() { soon_.pop(); }
