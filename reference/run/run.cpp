@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -113,18 +114,18 @@ RunSummary resume_run(const std::string& path, const RunOptions& options, bool& 
   resumed.timing = head.timing;
   resumed.state_every = head.state_every;
   // A trace that is still being written may grow faster than it is read.
-  std::optional<Output> held;
+  std::shared_ptr<Output> held;
   std::error_code ignored;
   if (std::filesystem::is_regular_file(options.trace, ignored))
-    held.emplace(options.trace, Output::Reserve::only);
+    held = std::make_shared<Output>(options.trace, Output::Reserve::only);
   ResumePoint point = last_state(path);
+  point.trace = std::move(held);
   unprotected = point.state.checksum == StateData::Checksum::absent;
   if (is_checkpoint(path) && !options.trace.empty()) {
     require_same_run(path, head, options.trace);
     point.from = options.trace;
     point.keep = place_behind_state(options.trace, point.state.k);
   }
-  held.reset();
   try {
     return run_any(head.scene, resumed, &point);
   } catch (const StateDoesNotFit& problem) {

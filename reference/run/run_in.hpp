@@ -34,7 +34,7 @@ class RecordedRun {
         duration_(options.until.value_or(scene.duration)),
         horizon_(clock_until<Scalar>(scene, duration_)),
         state_every_(options.state_every != 0 ? options.state_every : default_state_every(scene)),
-        files_(options),
+        files_(options, resume),
         simulation_(std::in_place, scene, TimingChoice{options.timing, options.certifier}, options.detector),
         events_(scene, files_),
         schedule_(scene, scene.duration) {

@@ -198,10 +198,12 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k) {
            ", where the checkpoint was taken; resume from the trace itself, or leave out -o");
 }
 
-TraceFiles::TraceFiles(const RunOptions& options) {
+TraceFiles::TraceFiles(const RunOptions& options, const ResumePoint* resume) {
   if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
   if (options.trace.empty()) return;
-  trace_ = std::make_unique<Output>(options.trace, Output::Reserve::only);
+  trace_ = resume != nullptr && resume->trace != nullptr
+               ? resume->trace
+               : std::make_shared<Output>(options.trace, Output::Reserve::only);
   trace_->write_in_background();
 }
 

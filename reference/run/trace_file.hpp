@@ -18,8 +18,9 @@ namespace tps {
 /// Where a resumed run starts.
 struct ResumePoint {
   StateData state;
-  std::uint64_t keep = 0;  ///< bytes of the trace to go on behind
-  std::string from;        ///< the file that holds them
+  std::uint64_t keep = 0;         ///< bytes of the trace to go on behind
+  std::string from;               ///< the file that holds them
+  std::shared_ptr<Output> trace;  ///< where the run is to go on, open and locked; null where it is a new file
 };
 
 /// A full state that the scene of its file cannot have.
@@ -51,7 +52,7 @@ std::uint64_t place_behind_state(const std::string& path, std::uint64_t k);
 class TraceFiles {
  public:
   /// Opens and locks both and touches neither: the start of a run may take long, or be refused.
-  explicit TraceFiles(const RunOptions& options);
+  TraceFiles(const RunOptions& options, const ResumePoint* resume);
 
   /// Writes what stands before the first line of the run: the head or, where a run is taken up, what was.
   void begin(const Scene& scene, const RunOptions& options, std::uint64_t state_every,
@@ -71,7 +72,7 @@ class TraceFiles {
   void close();
 
  private:
-  std::unique_ptr<Output> trace_;
+  std::shared_ptr<Output> trace_;
   std::optional<ReplacedFile> checkpoint_;
   std::string checkpoint_head_;
 };

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "tests/exact/referee.hpp"
 #include "verify/exact/double_filter.hpp"
@@ -59,6 +61,12 @@ testing::AssertionResult nearest(double t, const Wide& exact) {
   return testing::AssertionSuccess();
 }
 
+/// How many queries each stage answered.
+std::vector<std::uint64_t> counts(const Counters& counters) {
+  return {counters.verdict.calls, counters.verdict.uncertain, counters.verdict.exact,
+          counters.time.calls,    counters.time.uncertain,    counters.time.exact};
+}
+
 class TimeStrata : public testing::TestWithParam<strata::Stratum> {};
 
 TEST_P(TimeStrata, IsTheNearestDouble) {
@@ -72,6 +80,23 @@ TEST_P(TimeStrata, IsTheNearestDouble) {
     const TimingAnswer by_integers = rounded_time_by_integers(query, counters);
     EXPECT_EQ(by_integers.t, answer.t) << strata::text(query);
     EXPECT_EQ(by_integers.verdict, answer.verdict);
+  }
+}
+
+// Fours of every beginning, so that each query is the first, second, third and fourth of four, or left over.
+TEST_P(TimeStrata, AreTheSameAskedTogether) {
+  const std::span<const TimingQuery> queries = GetParam().queries;
+  for (std::size_t first = 0; first < 4; ++first) {
+    const std::span<const TimingQuery> asked = queries.subspan(first);
+    std::vector<TimingAnswer> together(asked.size());
+    Counters together_counters, alone_counters;
+    rounded_times(asked, together, together_counters);
+    for (std::size_t n = 0; n < asked.size(); ++n) {
+      const TimingAnswer alone = rounded_time(asked[n], alone_counters);
+      EXPECT_EQ(together[n].verdict, alone.verdict) << strata::text(asked[n]);
+      EXPECT_EQ(together[n].t, alone.t) << strata::text(asked[n]);
+    }
+    EXPECT_EQ(counts(together_counters), counts(alone_counters));
   }
 }
 
@@ -163,6 +188,26 @@ TEST(RoundedTime, TheErrorBoundHolds) {
   }
   EXPECT_LT(worst, 1);
   EXPECT_GT(worst, 0.05);
+}
+
+TEST(RoundedTime, AskedTogetherTheyAreTheSameOfEverySort) {
+  strata::Random random(7);
+  std::vector<TimingQuery> queries;
+  for (int i = 0; i < 20000; ++i) {
+    const Kind kind = random.integer(0, 1) == 0 ? Kind::block : Kind::tether;
+    queries.push_back(strata::plain(random, kind));
+    if (i % 100 == 7) queries.back().image = {1, 0, -1}, queries.back().edges = {20, 20, 20};
+    if (i % 100 == 58) queries.back().kind = Kind::plane, queries.back().normal = {0, 0.6, 0.8};
+  }
+  std::vector<TimingAnswer> together(queries.size());
+  Counters together_counters, alone_counters;
+  rounded_times(queries, together, together_counters);
+  for (std::size_t n = 0; n < queries.size(); ++n) {
+    const TimingAnswer alone = rounded_time(queries[n], alone_counters);
+    ASSERT_EQ(together[n].verdict, alone.verdict) << strata::text(queries[n]);
+    ASSERT_EQ(together[n].t, alone.t) << strata::text(queries[n]);
+  }
+  EXPECT_EQ(counts(together_counters), counts(alone_counters));
 }
 
 TEST(RoundedTime, TheFastPathSettlesNearlyEverything) {

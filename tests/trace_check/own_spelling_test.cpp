@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/scenes.hpp"
+#include "verify/scenes/cradle.hpp"
 #include "verify/trace_check/read_line.hpp"
 
 namespace tps::check {
@@ -83,6 +85,65 @@ TEST_P(OwnSpellings, AreReadAsAnyJson) {
 
 INSTANTIATE_TEST_SUITE_P(Of, OwnSpellings,
                          ::testing::Values("gas", "grouped", "terminal", "dicing", "granular"));
+
+/// A row of balls that becomes one body pair by pair: lines of many particles.
+std::vector<std::string> lines_of_a_large_body(const Scene& scene) {
+  std::vector<std::string> large;
+  for (const std::string& line : testing::traced(scene, "double", 1000).lines) {
+    if (line.starts_with("{\"k\":") && line.size() > 4000) large.push_back(line);
+  }
+  return large;
+}
+
+Scene row_of_balls() {
+  Scene scene = build_cradle({.particles = 24});
+  scene.grouping = Grouping{1.0};
+  return scene;
+}
+
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
+    text.replace(at, part.size(), other);
+  return text;
+}
+
+TEST(OwnSpelling, ParticlesOfALargeBodyStandThereOnce) {
+  const Scene scene = row_of_balls();
+  LineReading<double> reading(scene, false, 53);
+  const std::vector<std::string> lines = lines_of_a_large_body(scene);
+  ASSERT_FALSE(lines.empty());
+  for (const std::string& line : lines) {
+    EXPECT_EQ(outcome(reading, line), outcome(reading, with_a_space(line)));
+    const std::string twice = with(line, "\"7\":{", "\"3\":{");
+    ASSERT_NE(twice, line);
+    EXPECT_NE(outcome(reading, twice).find("stands twice"), std::string::npos) << outcome(reading, twice);
+    EXPECT_EQ(outcome(reading, twice), outcome(reading, with_a_space(twice)));
+  }
+}
+
+TEST(EventLine, FindsWhoIsInvolvedInWhateverOrder) {
+  std::mt19937_64 random(5);
+  for (const int count : {0, 1, 2, 8, 9, 100}) {
+    std::vector<int> ids(static_cast<std::size_t>(count));
+    for (int n = 0; n < count; ++n) ids[static_cast<std::size_t>(n)] = 3 * n + 1;
+    std::shuffle(ids.begin(), ids.end(), random);
+    EventLine<double> event;
+    for (const int id : ids) event.involved.push_back({id, {}, {}, {}, {}});
+    EXPECT_TRUE(event.index_involved());
+    for (int id = 0; id <= 3 * count; ++id) {
+      const InvolvedParticle<double>* found = event.of(id);
+      ASSERT_EQ(found != nullptr, id % 3 == 1) << id << " of " << count;
+      if (found != nullptr) {
+        EXPECT_EQ(found->particle, id);
+      }
+    }
+    if (count < 2) continue;
+    event.involved.back().particle = event.involved.front().particle;
+    EXPECT_FALSE(event.index_involved()) << count;
+    event.restart();
+    EXPECT_EQ(event.of(1), nullptr);
+  }
+}
 
 }  // namespace
 }  // namespace tps::check

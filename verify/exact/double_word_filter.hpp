@@ -9,23 +9,28 @@
 namespace tps::exact {
 
 /// y − x of each component, exactly. REQUIRES no overflow.
-TPS_IN_EVERY_COPY std::array<DoubleWord, 3> exact_difference(const Vec3& y, const Vec3& x) {
+template <typename T>
+TPS_IN_EVERY_COPY std::array<Words<T>, 3> exact_difference(const std::array<T, 3>& y,
+                                                           const std::array<T, 3>& x) {
   return {two_sum(y[0], -x[0]), two_sum(y[1], -x[1]), two_sum(y[2], -x[2])};
+}
+
+/// x y, its low part in double and not normalised.
+template <typename T>
+TPS_IN_EVERY_COPY Words<T> rough_product(Words<T> x, Words<T> y) {
+  const Words<T> product = two_product(x.hi, y.hi);
+  return {product.hi, product.lo + multiply_add(x.hi, y.lo, x.lo * y.hi)};
 }
 
 /// x·y to 20u² Σ|x_k y_k| (docs/exact.md, "Stage 2"): the compensated dot product of Ogita, Rump and Oishi,
 /// "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005, of double words. Its parts are not
 /// normalised: |lo| ≤ 5u Σ|x_k y_k|.
-TPS_IN_EVERY_COPY DoubleWord dot(const std::array<DoubleWord, 3>& x, const std::array<DoubleWord, 3>& y) {
-  std::array<double, 3> high, low;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const DoubleWord product = two_product(x[k].hi, y[k].hi);
-    high[k] = product.hi;
-    low[k] = product.lo + __builtin_fma(x[k].hi, y[k].lo, x[k].lo * y[k].hi);
-  }
-  const DoubleWord two = two_sum(high[0], high[1]);
-  const DoubleWord three = two_sum(two.hi, high[2]);
-  return {three.hi, ((low[0] + low[1]) + low[2]) + (two.lo + three.lo)};
+template <typename T>
+TPS_IN_EVERY_COPY Words<T> dot(const std::array<Words<T>, 3>& x, const std::array<Words<T>, 3>& y) {
+  const Words<T> p = rough_product(x[0], y[0]), q = rough_product(x[1], y[1]), r = rough_product(x[2], y[2]);
+  const Words<T> two = two_sum(p.hi, q.hi);
+  const Words<T> three = two_sum(two.hi, r.hi);
+  return {three.hi, ((p.lo + q.lo) + r.lo) + (two.lo + three.lo)};
 }
 
 /// r of a query: exact, or of an image within 3u² of itself, as the sum of two double words is.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 
 #include "verify/trace_check/event_demands.hpp"
 #include "verify/trace_check/line_values.hpp"
@@ -173,7 +174,6 @@ class EventReading : protected LineValues<Number> {
         const Pointer at{&kPost, key};
         InvolvedParticle<Number> p{};
         p.particle = particle_named(key, at);
-        if (event.of(p.particle) != nullptr) problem(at, "stands twice in the line");
         dom::element velocity, position;
         check_keys(value, at);
         if (value["velocity"].get(velocity) != simdjson::SUCCESS) problem(at, "has no \"velocity\"");
@@ -187,8 +187,17 @@ class EventReading : protected LineValues<Number> {
           p.spin_after = spin(velocity, Pointer{&at, "spin"});
         event.involved.push_back(std::move(p));
       }
+      if (!event.index_involved()) refuse_one_that_stands_twice(after);
     }
     if (has_pre) read_before(before, event);
+  }
+
+  void refuse_one_that_stands_twice(const dom::object& particles) const {
+    std::set<int> seen;
+    for (const auto [key, value] : particles) {
+      const Pointer at{&kPost, key};
+      if (!seen.insert(particle_named(key, at)).second) problem(at, "stands twice in the line");
+    }
   }
 
   void read_before(const dom::object& before, EventLine<Number>& event) const {

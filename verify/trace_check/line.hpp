@@ -1,6 +1,8 @@
 // Lines of a trace as the check sees them: particles are places in the scene, numbers are exact.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -62,23 +64,57 @@ struct EventLine {
     std::swap(fresh.t_text, t_text);
     std::swap(fresh.involved, involved);
     std::swap(fresh.members, members);
+    std::swap(fresh.places_, places_);
     fresh.t_text.clear();
     fresh.involved.clear();
+    fresh.places_.clear();
     fresh.members.clear();
     *this = std::move(fresh);
   }
 
-  const InvolvedParticle<Number>* of(int particle) const { return find(involved, particle); }
-  InvolvedParticle<Number>* of(int particle) { return find(involved, particle); }
+  /// To be called when `involved` is complete: the members of a large body are found by bisection from then
+  /// on.
+  /// @return whether each particle stands there once.
+  bool index_involved() {
+    places_.clear();
+    if (involved.size() <= kFew) {
+      for (const auto& p : involved) {
+        if (of(p.particle) != &p) return false;
+      }
+      return true;
+    }
+    for (std::size_t n = 0; n < involved.size(); ++n) places_.emplace_back(involved[n].particle, n);
+    std::sort(places_.begin(), places_.end());
+    return std::adjacent_find(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+             return a.first == b.first;
+           }) == places_.end();
+  }
+
+  const InvolvedParticle<Number>* of(int particle) const {
+    const std::size_t n = place_of(particle);
+    return n < involved.size() ? &involved[n] : nullptr;
+  }
+  InvolvedParticle<Number>* of(int particle) {
+    const std::size_t n = place_of(particle);
+    return n < involved.size() ? &involved[n] : nullptr;
+  }
 
  private:
-  template <typename Particles>
-  static auto find(Particles& particles, int particle) -> decltype(particles.data()) {
-    for (auto& p : particles) {
-      if (p.particle == particle) return &p;
+  using Place = std::pair<int, std::size_t>;  ///< a particle, and where it stands in `involved`
+  static constexpr std::size_t kFew = 8;
+
+  /// involved.size() where there is none.
+  std::size_t place_of(int particle) const {
+    if (places_.empty()) {
+      std::size_t n = 0;
+      while (n < involved.size() && involved[n].particle != particle) ++n;
+      return n;
     }
-    return nullptr;
+    const auto found = std::lower_bound(places_.begin(), places_.end(), Place{particle, 0});
+    return found != places_.end() && found->first == particle ? found->second : involved.size();
   }
+
+  std::vector<Place> places_;  ///< ascending; empty where few are involved
 };
 
 template <typename Number>

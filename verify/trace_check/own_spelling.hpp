@@ -238,9 +238,9 @@ class OwnSpelling {
       const char* const place = line_.place();
       if (!vector(p.position_before.emplace())) return false;
       if (n < spelt.size()) spelt[n] = {place, static_cast<std::size_t>(line_.place() - place)};
-      if (!rest(p.velocity_before.emplace()) || e.of(p.particle) != &p) return false;
+      if (!rest(p.velocity_before.emplace())) return false;
     } while (line_.take(","));
-    if (!line_.take("},\"post\":{")) return false;
+    if (!e.index_involved() || !line_.take("},\"post\":{")) return false;
     for (std::size_t n = 0; n < e.involved.size(); ++n) {
       InvolvedParticle<Number>& p = e.involved[n];
       int index = -1;

@@ -91,6 +91,19 @@ void time(::benchmark::State& state, Queries queries) {
   report(state, counters.time);
 }
 
+void times_together(::benchmark::State& state, Queries queries) {
+  Counters counters;
+  const std::vector<TimingQuery>& all = queries();
+  std::vector<TimingAnswer> answers(all.size());
+  for (auto _ : state) {
+    rounded_times(all, answers, counters);
+    ::benchmark::DoNotOptimize(answers.data());
+    ::benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.size()));
+  report(state, counters.time);
+}
+
 /// Two literal evaluations and a comparison.
 template <typename Scalar>
 void literal_order(::benchmark::State& state, Queries queries) {
@@ -117,6 +130,7 @@ void order(::benchmark::State& state, Queries queries) {
 BENCHMARK_CAPTURE(literal_double, random, random_queries);
 BENCHMARK_CAPTURE(verdict, random, random_queries);
 BENCHMARK_CAPTURE(time, random, random_queries);
+BENCHMARK_CAPTURE(times_together, random, random_queries);
 BENCHMARK_CAPTURE(literal_50_digits, random, random_queries);
 BENCHMARK_CAPTURE(literal_order_double, random, random_queries);
 BENCHMARK_CAPTURE(order, random, random_queries);
@@ -124,6 +138,7 @@ BENCHMARK_CAPTURE(literal_order_50_digits, random, random_queries);
 BENCHMARK_CAPTURE(literal_double, grazing, grazing_queries);
 BENCHMARK_CAPTURE(verdict, grazing, grazing_queries);
 BENCHMARK_CAPTURE(time, grazing, grazing_queries);
+BENCHMARK_CAPTURE(times_together, grazing, grazing_queries);
 BENCHMARK_CAPTURE(literal_50_digits, grazing, grazing_queries);
 BENCHMARK_CAPTURE(literal_order_double, grazing, grazing_queries);
 BENCHMARK_CAPTURE(order, grazing, grazing_queries);
