@@ -40,7 +40,7 @@ def tether_time(**query):
         return {"verdict": "overstretched" if c > 0 else "taut", "t": 0}
     if c > 0 and D <= 0:
         return {"verdict": "turning", "t": (-h / a).hex()}
-    return {"verdict": "hit", "t": ((-h + math.sqrt(D)) / a).hex()}
+    return {"verdict": "hit", "t": ((-h + math.sqrt(max(D, 0))) / a).hex()}
 
 
 OPERATIONS = {"block_time": block_time, "tether_time": tether_time}

@@ -44,8 +44,8 @@ def tether_time(**query):
     if c > 0 and D <= 0:
         return {"verdict": "turning", "t": (-h / a).hex()}
     if h > 0:
-        return {"verdict": "hit", "t": (-c / (h + math.sqrt(D))).hex()}
-    return {"verdict": "hit", "t": ((-h + math.sqrt(D)) / a).hex()}
+        return {"verdict": "hit", "t": (-c / (h + math.sqrt(max(D, 0)))).hex()}
+    return {"verdict": "hit", "t": ((-h + math.sqrt(max(D, 0))) / a).hex()}
 
 
 def collision_impulse(u_A, u_B, v_A, v_B, m_A, m_B, c):

@@ -250,7 +250,8 @@ void add_properties_options(CLI::App* verb, int& exit_code) {
       ->check(CLI::IsMember(scalars))
       ->capture_default_str();
   verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
-  verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)");
+  verb->add_option("command", a->words, "Behind --: a command that speaks the protocol (docs/protocol.md)")
+      ->transform(as_typed);
   verb->add_option("--bits", a->bits, "Significant bits of its numbers: 53 for double, 24 for float")
       ->check(CLI::Range(8, 400));
   verb->add_flag("--bitwise", a->bitwise,

@@ -89,7 +89,11 @@ void ask_all(Implementation& subject, const Plan& plan, Verdict& verdict) {
   ask_known_answers(subject, taken, verdict);
   ask_next_events(subject, taken, verdict);
   if (plan.strata.empty()) ask_laws(subject, taken, verdict);
-  if (simulates(subject, taken)) ask_simulator(operation_runs(subject), taken, verdict);
+  const auto command_of = [&plan](const Question& question) {
+    const std::vector<std::string> commands = plan.commands_of(question);
+    return commands.size() > 1 ? commands.back() : std::string();  // a library is asked by no command
+  };
+  if (simulates(subject, taken)) ask_simulator(operation_runs(subject, command_of), taken, verdict);
   refuse_what_is_asked_for(subject, taken, verdict);
   if (const std::string why = subject.given_up(); !why.empty())
     verdict.notes["given up"] = why + "; what follows was not asked";

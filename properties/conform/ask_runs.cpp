@@ -58,9 +58,8 @@ class Runs {
         std::move(why),
         {fmt::format("tps scene random --seed {} --number {}{} -o scene.json", plan_.seed, number, features)},
         fmt::format("{{\"scene\":{}}}", write_scene(scene, SceneStyle::compact))};
-    if (!plan_.source.command_for_scene.empty()) {
-      made.commands.push_back(plan_.source.command_for_scene + " | tps check --scene scene.json -");
-    }
+    const std::string again = plan_.source.command_for_scene(scene);
+    if (!again.empty()) made.commands.push_back(again);
     return made;
   }
 
@@ -72,6 +71,8 @@ class Runs {
       case Run::Kind::refused:
         return add_whole({Class::refused, found.problem}, scene, number,
                          "refuses the scene: " + found.problem);
+      case Run::Kind::no_trace:
+        return add_whole({Class::wrong, found.problem}, scene, number, found.problem);
       case Run::Kind::endless:
       case Run::Kind::failed:
         break;
@@ -118,10 +119,14 @@ class Runs {
              const std::string& besides = {}) {
     check::CheckReport report;
     try {
-      report = checked(write_scene(scene), trace);
+      report = checked_run(scene, trace, plan_.source.most_events);
     } catch (const InputError& error) {
       const std::string why = error.problems().empty() ? "no trace" : error.problems().front().message;
       return add_whole({Class::wrong, why}, scene, number, "wrote no trace that can be judged: " + why);
+    }
+    for (const check::Rule rule : {check::Rule::tethers, check::Rule::earliest}) {
+      const std::string& why = report.rules[static_cast<std::size_t>(rule)].not_judged;
+      if (!why.empty()) verdict_.notes[fmt::format("not judged, {}", check::name(rule))] = why;
     }
     const auto features = features_by_line(trace, scene);
     const std::uint64_t end = end_of_what_is_judged(report);

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "properties/conform/expected.hpp"
 #include "properties/conform/judge_trace.hpp"
@@ -19,6 +20,7 @@
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/protocol/catalogue.hpp"
+#include "verify/vectors/check_answers.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -131,6 +133,7 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
   if (!answer.out.is_object()) return {Class::wrong, "out is no object"};
   const Json& scene = step.question.in.at("scene");
   try {
+    static_cast<void>(vectors::in_rows(answer.out, scene.at("particles").size()));
     const check::CheckReport report = checked(json_text(scene), trace_of(scene, answer.out));
     const check::Finding* worst = worst_of(report);
     if (worst != nullptr && class_of(*worst) == Class::wrong) {
@@ -141,6 +144,8 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
     return worst == nullptr ? Grade{} : Grade{class_of(*worst), words_of(*worst)};
   } catch (const InputError& error) {
     return {Class::wrong, "no event that can be judged: " + first_problem(error)};
+  } catch (const std::invalid_argument& error) {
+    return {Class::wrong, error.what()};
   } catch (const Json::exception&) {
     return {Class::wrong,
             "no event that can be judged: its parts are not of the kind that docs/protocol.md has"};

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "properties/conform/ask_all.hpp"
+#include "properties/conform/ask_steps.hpp"
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
 #include "properties/conform/profile.hpp"
@@ -20,6 +21,7 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cli/line_every.hpp"
 #include "verify/cli/named_files.hpp"
@@ -104,14 +106,36 @@ std::vector<std::string> expected_failures(const std::string& path) {
 void check_operations(const std::vector<std::string>& patterns) {
   std::vector<std::string> names;
   for (const protocol::Entry& entry : protocol::catalogue()) {
-    if (entry.is_answered) names.emplace_back(entry.name);
+    const std::string op(entry.name);
+    const bool has_law =
+        std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
+    if (entry.is_answered || has_law) names.push_back(op);
   }
+  names.emplace_back(kSimulate);
   for (const std::string& pattern : patterns) {
     if (std::any_of(names.begin(), names.end(),
                     [&](const std::string& name) { return wanted({pattern}, name); }))
       continue;
     throw CLI::ValidationError(
         "--ops", fmt::format("{} is no operation; there are {}", printable(pattern), fmt::join(names, ", ")));
+  }
+}
+
+/// --tags names strata that there are.
+void check_strata(const std::vector<std::string>& patterns) {
+  std::vector<std::string> names = step_rows();
+  for (const vectors::Stratum& stratum : vectors::strata()) names.push_back(stratum.op + "." + stratum.name);
+  for (const std::string& pattern : patterns) {
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return wanted({pattern}, name); }))
+      continue;
+    const std::string nearest = nearest_name(pattern, names);
+    throw CLI::ValidationError(
+        "--tags",
+        fmt::format(
+            "{} is no stratum{}; tps vectors list shows them; block_time.graze is one, *.far are those of "
+            "all operations",
+            printable(pattern), nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
   }
 }
 
@@ -186,6 +210,7 @@ int run_conform(const ConformArguments& a) {
     throw CLI::ValidationError("--features", error.what());
   }
   check_operations(a.ops);
+  check_strata(a.strata);
   Verdict verdict;
   verdict.profile = read_profile(a.profile);
   verdict.data = fmt::format("known answers {}.{}", vectors::kVectorsVersion, vectors::kCommittedSeed);
@@ -218,7 +243,7 @@ int run_conform(const ConformArguments& a) {
 
 void add_conform_options(CLI::App* verb, int& exit_code) {
   const auto a = std::make_shared<ConformArguments>();
-  verb->add_option("command", a->words, "Behind --: a command that speaks the protocol");
+  verb->add_option("command", a->words, "Behind --: a command that speaks the protocol")->transform(as_typed);
   verb->add_option("--library", a->library, "A shared library (properties/c_abi/tps_implementation.h)");
   verb->add_option("--scalar", a->scalar, "The reference itself, in this scalar")
       ->check(CLI::IsMember(reference_names()));

@@ -1,6 +1,7 @@
 #include "properties/conform/grade.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "properties/conform/effect_margins.hpp"
 #include "properties/conform/response_margin.hpp"
 #include "properties/conform/timing_margin.hpp"
+#include "reference/equations/timing_verdict.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
@@ -54,6 +56,45 @@ TimeAnswer time_answer(const Json& out) {
     answer.t = numbers && numbers->size() == 1 ? (*numbers)[0] : NAN;
   }
   return answer;
+}
+
+struct Word {
+  std::string_view name;
+  bool occurs;  ///< it has a time
+};
+
+/// The verdicts of an operation (docs/protocol.md).
+std::vector<Word> verdicts_of(std::string_view op) {
+  if (op == "drag_time") return {{"reached", true}, {"never", false}};
+  using enum TimingVerdict;
+  std::vector<TimingVerdict> all{static_pair, receding, overlap, contact, miss, tangent, hit};
+  if (op == "tether_time") all = {static_pair, hit, taut, overstretched, turning};
+  if (op == "wall_time") all = {static_pair, receding, overlap, contact, hit};
+  std::vector<Word> words;
+  for (const TimingVerdict verdict : all) words.push_back({name(verdict), occurs(verdict)});
+  return words;
+}
+
+/// Why an answer to a timing operation says nothing, or contradicts itself, whatever the question was.
+std::optional<std::string> says_nothing(const Question& question, const Json& out) {
+  const auto verdict = out.find("verdict");
+  if (verdict == out.end()) {
+    if (out.contains("t")) return std::nullopt;
+    return "out has neither verdict nor t; it must say what happens, with t null where nothing does";
+  }
+  const std::vector<Word> words = verdicts_of(question.op);
+  const auto word =
+      std::find_if(words.begin(), words.end(), [&](const Word& w) { return *verdict == w.name; });
+  if (word == words.end()) {
+    std::vector<std::string_view> names;
+    for (const Word& each : words) names.push_back(each.name);
+    return fmt::format("verdict is {}; the verdicts of {} are {}", tps::shown(*verdict), question.op,
+                       fmt::join(names, ", "));
+  }
+  const Json t = out.value("t", Json());
+  if (word->occurs == !t.is_null()) return std::nullopt;
+  return fmt::format("verdict is \"{}\", which has {}, and t is {}", word->name,
+                     word->occurs ? "a time" : "no time", tps::shown(t));
 }
 
 Grade with(Class which, const Comparison& c, const std::string& reason = {}) {
@@ -151,6 +192,9 @@ Grade graded_response(const KnownQuestion& known, const Json& out, const Compari
 }
 
 Grade graded(const KnownQuestion& known, const Json& out, const Format& format, Implementation& stable) {
+  if (is_timing(known)) {
+    if (auto why = says_nothing(known.question, out)) return {Class::wrong, std::move(*why)};
+  }
   const double k = accepted_factor(known.answer.at("accept"));
   Comparison best;
   bool first = true;

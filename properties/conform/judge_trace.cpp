@@ -20,6 +20,15 @@ bool is_defensible(const std::string& reading) {
   return std::any_of(kSilent.begin(), kSilent.end(), [&](const char* d) { return reading.starts_with(d); });
 }
 
+void add_wrong_end(check::CheckReport& report, std::string message) {
+  check::Finding finding;
+  finding.rule = check::Rule::end;
+  finding.line = report.lines;
+  finding.message = std::move(message);
+  report.findings.push_back(finding);
+  ++report.rules[static_cast<std::size_t>(check::Rule::end)].violated;
+}
+
 /// A run that is asked for all of a scene ends at start_time + duration; the check allows an earlier end, of
 /// who was told to stop there. Rounded once or twice, in float at worst.
 void judge_duration(const std::string& scene, const std::string& trace, check::CheckReport& report) {
@@ -35,13 +44,20 @@ void judge_duration(const std::string& scene, const std::string& trace, check::C
   if (!t) return;
   const double off = std::fabs(t->at(0) - start - duration);
   if (std::isfinite(duration) && off <= kRounding * (std::fabs(start) + duration)) return;
-  check::Finding finding;
-  finding.rule = check::Rule::end;
-  finding.line = report.lines;
-  finding.message = fmt::format("the run ends by its duration at t = {}; it begins at {} and lasts {}",
-                                t->at(0), start, duration);
-  report.findings.push_back(finding);
-  ++report.rules[static_cast<std::size_t>(check::Rule::end)].violated;
+  add_wrong_end(report, fmt::format("the run ends by its duration at t = {}; it begins at {} and lasts {}",
+                                    t->at(0), start, duration));
+}
+
+/// The check takes the reason of an end as given: somebody may have stopped the run. Here nobody has.
+void judge_reason(check::CheckReport& report, std::optional<std::uint64_t> most_events) {
+  constexpr std::array<const char*, 4> kByItself{"", "duration", "no_more_events",
+                                                 "stalled"};  // "": judged already
+  if (std::find(kByItself.begin(), kByItself.end(), report.end) != kByItself.end()) return;
+  if (report.end == "max_events" && most_events && report.events >= *most_events) return;
+  add_wrong_end(report, fmt::format("the run ends as {} after {} events; it was asked for {}", report.end,
+                                    report.events,
+                                    most_events ? fmt::format("{} events or the whole duration", *most_events)
+                                                : std::string("the whole duration of the scene")));
 }
 
 }  // namespace
@@ -66,6 +82,13 @@ check::CheckReport checked(const std::string& scene, const std::string& trace) {
   options.max_reports = 10 * kMostEventsOfARun;  // of each rule: all
   check::CheckReport report = check::check_trace(file.path(), options);
   if (report.end == "duration") judge_duration(scene, trace, report);
+  return report;
+}
+
+check::CheckReport checked_run(const Scene& scene, const std::string& trace,
+                               std::optional<std::uint64_t> most_events) {
+  check::CheckReport report = checked(write_scene(scene), trace);
+  judge_reason(report, most_events);
   return report;
 }
 

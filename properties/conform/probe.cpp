@@ -41,9 +41,11 @@ std::optional<double> returned(Implementation& subject, double x) {
 }
 
 /// r·v of perpendicular r and v is 0, as long as both products are rounded: .1·.3 − .3·.1. Fused, one of them
-/// is not, and in one of two mirror images the pair seems to approach.
+/// is not, and in one of two mirror images the pair seems to approach. Who is wrong about both is wrong for
+/// another reason.
 std::optional<bool> contracts(Implementation& subject) {
   if (!offers(subject, "block_time")) return std::nullopt;
+  int approaching = 0;
   for (const double side : {1.0, -1.0}) {
     const Json in{{"u_A", vector(0, 0)},
                   {"u_B", vector(side * 0.1, side * 0.3)},
@@ -51,12 +53,12 @@ std::optional<bool> contracts(Implementation& subject) {
                   {"v_B", vector(0.3, -0.1)},
                   {"L", write_hex_float(0x1p-10)}};
     const Answer answer = answer_to(subject, {"block_time", in});
-    if (answer.status != Answer::Status::answered || !answer.out.is_object() ||
-        !answer.out.contains("verdict"))
-      return std::nullopt;
-    if (answer.out.at("verdict") != "receding") return true;
+    if (answer.status != Answer::Status::answered || !answer.out.is_object()) return std::nullopt;
+    const Json verdict = answer.out.value("verdict", Json());
+    if (verdict != "receding" && verdict != "hit" && verdict != "miss") return std::nullopt;
+    approaching += verdict != "receding" ? 1 : 0;
   }
-  return false;
+  return approaching == 2 ? std::nullopt : std::optional(approaching == 1);
 }
 
 }  // namespace

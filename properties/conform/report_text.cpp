@@ -194,7 +194,8 @@ std::string sentence(const Verdict& verdict) {
   if (failing.empty() && passes.empty()) {
     const auto counts = verdict.counts();
     const std::uint64_t fine = counts[0] + counts[1];
-    return fmt::format("{}: conforming {}; {} right or to rounding{}", subject, by, fine,
+    return fmt::format("{}: conforming {}{}; {} right or to rounding{}", subject,
+                       verdict.notes.contains("time") ? "as far as it was asked, " : "", by, fine,
                        fine == verdict.asked() ? "" : ", the rest is explained above");
   }
   std::vector<std::string> names;
@@ -209,6 +210,10 @@ std::string sentence(const Verdict& verdict) {
   if (!names.empty()) text += fmt::format("; what fails: {}", fmt::join(names, ", "));
   if (hidden > 0) text += fmt::format(" and {} more", hidden);
   if (!passes.empty()) text += fmt::format("; expected to fail but passes: {}", fmt::join(passes, ", "));
+  for (const std::string& pattern : passes) {
+    if (!verdict.has_row(pattern))
+      text += fmt::format(" ({} is no row that was asked; --all shows their names)", pattern);
+  }
   return text;
 }
 

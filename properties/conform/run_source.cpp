@@ -49,7 +49,9 @@ Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout
       case Status::closed:
         return failed("closed its output and went on" + line.text);
       case Status::ended:
-        if (line.code == kRefuses && trace.empty()) return {Run::Kind::refused, {}, line.text};
+        if (line.code == kRefuses && trace.empty() && line.rest.empty())
+          return {Run::Kind::refused, {}, line.text};
+        trace += line.rest;
         if (line.code != 0 && line.code != kStalls) return failed(line.text, std::move(trace));
         return {Run::Kind::traced, std::move(trace), {}};
     }
@@ -59,7 +61,12 @@ Run run(const std::vector<std::string>& words, std::chrono::milliseconds timeout
 Run traced(const Json& out) {
   const Json lines = out.is_object() ? out.value("trace", Json()) : Json();
   Run found;
-  if (!lines.is_array()) return failed("the answer to simulate has no list trace");
+  if (!lines.is_array()) {
+    return {
+        Run::Kind::no_trace,
+        {},
+        "out is " + tps::shown(out) + R"(; it is {"trace":[line, …]}, each line of the trace as an object)"};
+  }
   for (const Json& line : lines) found.trace += json_text(line) + "\n";
   return found;
 }
@@ -75,20 +82,26 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
             whole.push_back(file.path());
             return run(whole, timeout);
           },
-          command + " scene.json"};
+          [command](const Scene&) { return command + " scene.json | tps check --scene scene.json -"; }};
 }
 
-RunSource operation_runs(Implementation& subject) {
+RunSource operation_runs(Implementation& subject, std::function<std::string(const Question&)> command_of) {
+  const auto question = [](const Scene& scene) {
+    return Question{
+        kSimulate,
+        {{"scene", Json::parse(write_scene(scene, SceneStyle::compact))}, {"max_events", kMostEventsOfARun}}};
+  };
   return {subject.name(),
-          [&subject](const Scene& scene) {
-            const Json in{{"scene", Json::parse(write_scene(scene, SceneStyle::compact))},
-                          {"max_events", kMostEventsOfARun}};
-            Answer answer = subject.ask({kSimulate, in});
+          [&subject, question](const Scene& scene) {
+            Answer answer = subject.ask(question(scene));
             if (answer.status == Answer::Status::answered) return traced(answer.out);
             const bool refuses = answer.status != Answer::Status::failed;
             return Run{refuses ? Run::Kind::refused : Run::Kind::failed, {}, std::move(answer.reason)};
           },
-          {}};
+          [question, command_of = std::move(command_of)](const Scene& scene) {
+            return command_of(question(scene));
+          },
+          kMostEventsOfARun};
 }
 
 }  // namespace tps::properties::conform

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +17,10 @@ namespace tps::properties::conform {
 struct Run {
   enum class Kind {
     traced,
-    refused,  ///< no scene for this simulator
-    endless,  ///< a hang, a flood
-    failed,   ///< a crash, a breach of the protocol
+    refused,   ///< no scene for this simulator
+    endless,   ///< a hang, a flood
+    failed,    ///< a crash, a breach of the protocol
+    no_trace,  ///< an answer that is none
   };
   Kind kind = Kind::traced;
   std::string trace = {};  ///< of a run that has no end or failed, what came before
@@ -27,7 +30,10 @@ struct Run {
 struct RunSource {
   std::string name;
   std::function<Run(const Scene&)> run;
-  std::string command_for_scene;  ///< what shows its trace of scene.json, for people
+  /// What asks it again about the scene, which is in scene.json too; for people.
+  std::function<std::string(const Scene&)> command_for_scene;
+  std::optional<std::uint64_t> most_events =
+      {};  ///< after which it may end a run; null: it is asked for all of it
 };
 
 /// The path of a scene file is added to the words; the trace comes on standard output. Exit codes: 0, 6 for a
@@ -36,7 +42,7 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 
 /// {"op":"simulate","in":{"scene":…}} → {"out":{"trace":[line, …]}}, lines as objects. The subject outlives
 /// it.
-RunSource operation_runs(Implementation& subject);
+RunSource operation_runs(Implementation& subject, std::function<std::string(const Question&)> command_of);
 
 constexpr const char* kSimulate = "simulate";
 constexpr const char* kNextEvent = "next_event";

@@ -80,6 +80,11 @@ std::vector<const Row*> Verdict::failing() const {
   return found;
 }
 
+bool Verdict::has_row(const std::string& pattern) const {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const Row& row) { return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0; });
+}
+
 std::vector<std::string> Verdict::unexpected_passes() const {
   std::vector<std::string> found;
   for (const std::string& pattern : expected_failures) {

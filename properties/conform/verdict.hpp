@@ -103,6 +103,8 @@ struct Verdict {
   /// Rows that fail and may not, and rows that may and do not.
   std::vector<const Row*> failing() const;
   std::vector<std::string> unexpected_passes() const;
+  /// Whether a row of that name was asked.
+  bool has_row(const std::string& pattern) const;
   /// What explains most of the wrong answers, half of them at least; several where they explain as many.
   static std::vector<std::string> best_hypotheses(const Row& row);
 };

@@ -237,6 +237,7 @@ void add_cost_options(CLI::App* verb, int& exit_code) {
   add_outputs(*verb, *a);
   verb->add_option("command", a->words,
                    "Behind --: a program of yours that speaks the protocol, measured beside ours")
+      ->transform(as_typed)
       ->excludes("--from");
   verb->footer(kCostFooter);
   verb->callback([=, &exit_code] {

@@ -208,15 +208,15 @@ ChildProcess::Line ChildProcess::ended() {
       errors_to_add();
   if (!has_ended_) {
     if (reports_ >= 0) return {Line::Status::closed, "closed its output" + rest};
-    return {Line::Status::ended, "ended, and its guard with it" + rest, 128 + SIGKILL};
+    return {Line::Status::ended, "ended, and its guard with it" + rest, 128 + SIGKILL, buffer_};
   }
   if (WIFEXITED(status_)) {
     const int code = WEXITSTATUS(status_);
-    return {Line::Status::ended, fmt::format("ended with exit code {}{}", code, rest), code};
+    return {Line::Status::ended, fmt::format("ended with exit code {}{}", code, rest), code, buffer_};
   }
   const int signal = WTERMSIG(status_);
   return {Line::Status::ended, fmt::format("crashed: signal {} ({}){}", signal, ::strsignal(signal), rest),
-          128 + signal};
+          128 + signal, buffer_};
 }
 
 ChildProcess::Line ChildProcess::read_line(std::chrono::milliseconds timeout) {

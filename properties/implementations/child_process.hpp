@@ -25,7 +25,8 @@ class ChildProcess {
     };
     Status status;
     std::string text;
-    int code = 0;  ///< of one that ended: its exit code, or 128 + the signal that ended it
+    int code = 0;           ///< of one that ended: its exit code, or 128 + the signal that ended it
+    std::string rest = {};  ///< of one that ended: what it wrote behind the last line end
   };
 
   /// Runs `body` with pipes as its standard input, output and error; what it returns is the exit code. `body`

@@ -143,9 +143,9 @@ class Program final : public Implementation {
     }
     if (hello.is_object() && hello.contains("error"))
       return "hello is answered with an error: " + words(hello["error"], 400);
-    if (!hello.is_object() || !hello.contains("name"))
+    if (!hello.is_object() || !hello.value("name", Json()).is_string())
       return "the answer to hello has no name: " + printable(line, 200);
-    read_offer(hello);
+    if (auto problem = read_offer(hello)) return std::move(*problem);
     if (options_.bits) {
       bits_ = *options_.bits;
     } else if (const auto bits = hello.find("bits"); bits != hello.end()) {
@@ -160,18 +160,32 @@ class Program final : public Implementation {
     return {};
   }
 
-  void read_offer(const Json& hello) {
-    takes_outer_groups_ = hello.value("group", Json()) != "inner";
-    features_ = words_in(hello, "features").value_or(std::vector<std::string>());
-    offered_ = words_in(hello, "ops");
+  /// @return what is wrong with it
+  std::optional<std::string> read_offer(const Json& hello) {
+    const Json group = hello.value("group", Json("outer"));
+    if (group != "inner" && group != "outer")
+      return "the answer to hello has group = " + tps::shown(group) + R"(; allowed are "inner" and "outer")";
+    takes_outer_groups_ = group == "outer";
+    std::optional<std::vector<std::string>> features;
+    for (const auto& [key, words] : {std::pair{"features", &features}, std::pair{"ops", &offered_}}) {
+      const auto list = hello.find(key);
+      if (list == hello.end()) continue;
+      *words = words_in(*list);
+      if (!*words) {
+        return fmt::format("the answer to hello has {} = {}; allowed is a list of words, [\"…\", …]", key,
+                           tps::shown(*list));
+      }
+    }
+    features_ = std::move(features).value_or(std::vector<std::string>());
+    return std::nullopt;
   }
 
-  static std::optional<std::vector<std::string>> words_in(const Json& hello, const char* key) {
-    const auto list = hello.find(key);
-    if (list == hello.end() || !list->is_array()) return std::nullopt;
+  static std::optional<std::vector<std::string>> words_in(const Json& list) {
+    if (!list.is_array()) return std::nullopt;
     std::vector<std::string> words;
-    for (const Json& word : *list) {
-      if (word.is_string()) words.push_back(word.get<std::string>());
+    for (const Json& word : list) {
+      if (!word.is_string()) return std::nullopt;
+      words.push_back(word.get<std::string>());
     }
     return words;
   }

@@ -38,7 +38,7 @@ inline CallingPlace key_of_scene(const std::string& key) {
   return {"\"" + key + "\"", "/" + key};
 }
 
-/// How many pairs of particles follow a law that satisfies the condition.
+/// How many pairs of particles follow a law that satisfies the condition; of two infinite masses, none.
 template <typename Condition>
 std::uint64_t interacting_pairs(const Scene& scene, Condition condition) {
   std::vector<std::uint64_t> count(scene.species.size(), 0);
@@ -46,6 +46,7 @@ std::uint64_t interacting_pairs(const Scene& scene, Condition condition) {
   std::uint64_t pairs = 0;
   for (const PairLaw& law : scene.pairs) {
     if (!condition(law)) continue;
+    if (is_never_followed(scene, law)) continue;
     const std::uint64_t a = count[static_cast<std::size_t>(law.species_a)];
     const std::uint64_t b = count[static_cast<std::size_t>(law.species_b)];
     pairs += law.species_a == law.species_b ? a * (a - (a > 0 ? 1 : 0)) / 2 : a * b;

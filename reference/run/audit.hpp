@@ -59,6 +59,7 @@ class Audit {
  private:
   /// What a wider scalar loses when its positions become doubles is far below the widening of the limits.
   void judge(const PairLaw& law) {
+    if (is_never_followed(world_.scene, law)) return;
     const bool permanent = law.tethering && law.tethering->form.when == FormRule::When::permanent;
     const std::vector<std::size_t> a = members(law.species_a);
     const PointTree b(places_, members(law.species_b));

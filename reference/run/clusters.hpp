@@ -17,15 +17,21 @@ namespace tps {
 /// Extent and motion of one cluster at a time up to which every particle flies straight: with masses m of sum
 /// M, positions x, velocities v, and their mass-weighted means X, V
 ///   extent = √(Σ m|x − X|² / M), relative speed = √(Σ m|v − V|² / M), centre speed = |V|.
+/// Those of infinite mass, which no collision moves, are counted and not in the sums.
 /// With the weights ½ M (relative speed)² is the energy of the inner motion, which collisions inside the
 /// cluster cannot raise. Without them it would rise as heavy vesicles share their energy with light
 /// synapsins.
 template <typename Scalar, int D>
-void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, const std::vector<int>& cluster,
+void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, const std::vector<int>& members,
                       ClusterSample& sample) {
   using Vec = Vector<Scalar, D>;
   using std::frexp;
   using std::ldexp;
+  sample.described = count_species(world.scene, members, world.scene.clusters->species);
+  sample.particles = static_cast<int>(members.size());
+  std::vector<int> cluster = members;
+  std::erase_if(cluster, [&](int i) { return world.fixed(i); });
+  if (cluster.empty()) return;
   int exponent = std::numeric_limits<int>::min();
   for (const int i : cluster) {
     int own = 0;
@@ -52,8 +58,6 @@ void describe_cluster(const World<Scalar, D>& world, const Time<Scalar>& t, cons
     for (const int i : cluster) sum += weight(i) * shifted<Scalar, D>(Vec(of(i)), shift).squaredNorm();
     return static_cast<double>(Scalar(ldexp(Scalar(square_root(Scalar(sum / mass))), -shift)));
   };
-  sample.described = count_species(world.scene, cluster, world.scene.clusters->species);
-  sample.particles = static_cast<int>(cluster.size());
   sample.mass = static_cast<double>(Scalar(ldexp(mass, exponent)));
   sample.extent = mean([&](int i) { return Vec(world.position(i, t) - centre); });
   sample.relative_speed = mean([&](int i) { return Vec(world.velocity(i) - velocity); });

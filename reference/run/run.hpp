@@ -74,7 +74,7 @@ struct ClusterSample {
   std::vector<int> sizes;     ///< particles of the observed species, descending
   int described = 0;          ///< size of the cluster that the rest is about; 0: none
   int particles = 0;          ///< of any species in it
-  double mass = 0;            ///< of all of them
+  double mass = 0;            ///< of those of finite mass, as everything below
   double extent = 0;          ///< root mean square distance from the centre of mass, weighted by mass
   double relative_speed = 0;  ///< root mean square velocity relative to the centre's, weighted by mass
   double centre_speed = 0;    ///< of its centre of mass

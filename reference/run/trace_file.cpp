@@ -56,6 +56,11 @@ void require_version(const Field& head, const char* key, const char* what) {
 TraceHead head_from(const Field& line) {
   TraceHead head;
   const bool checkpoint = line.has("checkpoint");
+  if (line.has("form") && line.at("form").text() == "minimal") {
+    line.at("form").refuse(
+        "is \"minimal\": a minimal trace has no full states to draw or to go on from; tps check judges it, "
+        "tps view plays it");
+  }
   line.require_keys({checkpoint ? "checkpoint" : "trace", "semantics", "scalar", "options", "scene"},
                     {"version", "form", "checksum"});
   require_version(line, checkpoint ? "checkpoint" : "trace", checkpoint ? "checkpoints" : "traces");

@@ -240,6 +240,14 @@ inline void set_spin(Scene& scene, std::size_t particle, const Coordinates& spin
   scene.spins[particle] = spin;
 }
 
+/// Whether a law is of two infinite masses, which never interact (semantics §2).
+inline bool is_never_followed(const Scene& scene, const PairLaw& law) {
+  const auto is_infinite = [&](int species) {
+    return scene.species[static_cast<std::size_t>(species)].mass == std::numeric_limits<double>::infinity();
+  };
+  return is_infinite(law.species_a) && is_infinite(law.species_b);
+}
+
 /// Whether particles of a species have a spin: those of finite mass that some pair's friction can turn.
 inline bool keeps_spin(const Scene& scene, int species) {
   if (scene.species[static_cast<std::size_t>(species)].mass == std::numeric_limits<double>::infinity())

@@ -50,7 +50,7 @@ std::string format_all(const std::vector<InputProblem>& problems, bool all) {
 std::string format_problem(const InputProblem& problem) {
   std::string text = problem.file;
   if (problem.line > 0) text += fmt::format(":{}", problem.line);
-  text += ": ";
+  if (!text.empty()) text += ": ";
   if (!problem.pointer.empty()) text += problem.pointer + ": ";
   return text + problem.message;
 }

@@ -83,6 +83,8 @@ class StateCheck {
   void check_times() {
     check_time(state_.now, "/now");
     check_time(state_.last_event, "/last_event");
+    demand(is_not_after(state_.now, state_.last_event), "/now",
+           "is behind \"last_event\"; a run's clock stands at its last event");
     if (!scene_.drag) {
       demand(state_.t.empty() || is_sum(state_.t, scene_.start_time, state_.now), "/t",
              "is not start_time + \"now\"");

@@ -10,7 +10,7 @@ namespace {
 /// A place in a line. Each function takes what it names, or returns false and is of no further use.
 class Cursor {
  public:
-  explicit Cursor(std::string_view text) : text_(text) {}
+  explicit constexpr Cursor(std::string_view text) : text_(text) {}
 
   std::size_t place() const { return at_; }
 
@@ -21,14 +21,16 @@ class Cursor {
   }
 
   /// The id of a particle, in decimal.
-  bool take_id(std::int32_t& id) {
+  constexpr bool take_id(std::int32_t& id) {
     constexpr std::size_t kMostDigits = 9;  // so that it is one; longer ones are left to the other reader
     const std::size_t begin = at_;
     id = 0;
-    for (; at_ < text_.size() && is_decimal(text_[at_]) && at_ - begin <= kMostDigits; ++at_)
+    for (; at_ < text_.size() && is_decimal(text_[at_]); ++at_) {
+      if (at_ - begin == kMostDigits) return false;
       id = 10 * id + (text_[at_] - '0');
+    }
     const std::size_t digits = at_ - begin;
-    return digits >= 1 && digits <= kMostDigits && (digits == 1 || text_[begin] != '0');
+    return digits == 1 || (digits > 1 && text_[begin] != '0');
   }
 
   /// A hexadecimal float in quotation marks, of as many digits as the widest scalar has.
@@ -63,7 +65,7 @@ class Cursor {
   }
 
  private:
-  static bool is_decimal(char c) { return c >= '0' && c <= '9'; }
+  static constexpr bool is_decimal(char c) { return c >= '0' && c <= '9'; }
   static bool is_hexadecimal(char c) { return is_decimal(c) || (c >= 'a' && c <= 'f'); }
 
   /// Goes past characters of a kind. @return whether there are any
@@ -76,6 +78,15 @@ class Cursor {
   std::string_view text_;
   std::size_t at_ = 0;
 };
+
+constexpr bool is_id(std::string_view text) {
+  std::int32_t id = 0;
+  return Cursor(text).take_id(id);
+}
+// Evaluated by the compiler, which refuses what overflows.
+static_assert(is_id("0") && is_id("10") && is_id("999999999"));
+static_assert(!is_id("") && !is_id("-1") && !is_id("07") && !is_id("9999999999") &&
+              !is_id("4294967296429496"));
 
 bool take_particle(Cursor& cursor, StateData::Particle& p) {
   HexVector clock;

@@ -47,6 +47,73 @@ class Classes(unittest.TestCase):
         self.assertEqual({row["name"]: row.get("equals") for row in found["rows"]}, {row["name"]: ["float32 inside"] for row in found["rows"]})
 
 
+class Times(unittest.TestCase):
+    """What a verdict may be: a word of the operation that agrees with t."""
+
+    def reply(self, folder, out):
+        """A program that answers everything with this."""
+        path = pathlib.Path(folder) / "same.py"
+        path.write_text("import json, sys\nfor line in sys.stdin:\n    q = json.loads(line)\n    if 'bye' in q: break\n"
+                        f"    print(json.dumps({{'name': 'same'}} if 'hello' in q else {{'seq': q['seq'], 'out': {out!r}}}), flush=True)\n")
+        return "--", sys.executable, "-B", str(path)
+
+    def test_words_that_are_no_verdict_are_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for out, said in [({"verdict": "banana", "t": None}, 'verdict is "banana"; the verdicts of block_time are static, receding,'),
+                              ({"verdict": "RECEDING", "t": None}, 'verdict is "RECEDING"; the'), ({"verdict": 3, "t": None}, "verdict is 3; the"),
+                              ({"verdict": None, "t": None}, "verdict is null; the"), ({"verdict": "taut", "t": 0}, 'verdict is "taut"; the'),
+                              ({"verdict": "hit", "t": None}, 'verdict is "hit", which has a time, and t is null'),
+                              ({"verdict": "miss", "t": 1}, 'verdict is "miss", which has no time, and t is 1'), ({}, "out has neither verdict nor t")]:
+                code, found, _ = conform("--tags", "block_time.plain", *self.reply(folder, out))
+                self.assertEqual((code, found.count(said)), (1, 1), f"{out}\n{found}")
+                self.assertNotIn("(FMA)", found)
+
+    def test_a_program_that_is_wrong_about_both_images_fuses_nothing(self):
+        as_printed = ADAPTERS.parents[2] / "docs/tutorial/as_printed.py"
+        self.assertNotIn("(FMA)", conform("--tags", "block_time.plain", "--", sys.executable, "-B", str(as_printed))[1])
+
+    def test_the_programs_of_the_tutorial_answer_every_question(self):
+        for name in ("by_approach", "stable", "rebound"):
+            program = ADAPTERS.parents[2] / f"docs/tutorial/{name}.py"
+            code, found, _ = conform("--level", "2", "--tags", "block_time.any_scale,tether_time.any_scale", "--", sys.executable, "-B", str(program))
+            self.assertEqual(code, 0, found)
+
+
+class States(unittest.TestCase):
+    """A state that is none is WRONG, whatever is the matter with it."""
+
+    def test_what_is_wrong_with_a_state_is_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for change, said in [("s[0]['id'] = '0'", "which is no particle"), ("s[0]['id'] = None", "which is no particle"),
+                                 ("out['state'] = 3", "state is 3; it is a list of particles"), ("s[1] = 7", "state has 7, which is no particle"),
+                                 ("s.append(dict(s[0]))", "twice"), ("s.append(dict(s[0], id=99))", "particles; the scene has"),
+                                 ("s.pop()", "particles; the scene has")]:
+                path = pathlib.Path(folder) / "proxy.py"
+                path.write_text("import json, subprocess, sys\n"
+                                f"serve = subprocess.Popen([{TPS!r}, 'serve'], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)\n"
+                                "for line in sys.stdin:\n"
+                                "    serve.stdin.write(line); serve.stdin.flush()\n"
+                                "    if 'bye' in line: break\n"
+                                "    reply = json.loads(serve.stdout.readline()); out = reply.get('out', {}); s = out.get('state', [])\n"
+                                f"    if s:\n        {change}\n"
+                                "    print(json.dumps(reply), flush=True)\n")
+                code, found, err = conform("--tags", "next_event.gas,next_event.step_rebound", "--", sys.executable, "-B", str(path))
+                self.assertEqual(code, 1, f"{change}\n{found}{err}")
+                self.assertGreaterEqual(found.count(said), 2, f"{change}\n{found}")
+
+
+class Hello(unittest.TestCase):
+    def test_what_a_program_says_of_itself_is_of_the_right_kind(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for hello, said in [({"name": 3}, "has no name"), ({"name": "x", "ops": "block_time"}, 'ops = "block_time"; allowed is a list of words'),
+                                ({"name": "x", "ops": None}, "ops = null"), ({"name": "x", "features": {"2d": True}}, "features = "),
+                                ({"name": "x", "features": ["2d", 3]}, "features = "), ({"name": "x", "group": "both"}, 'group = "both"; allowed are "inner" and "outer"')]:
+                path = pathlib.Path(folder) / "hello.py"
+                path.write_text(f"import json\ninput()\nprint(json.dumps({hello!r}), flush=True)\ninput()\n")
+                code, _, err = conform("--", sys.executable, "-B", str(path))
+                self.assertEqual((code, said in err), (4, True), f"{hello}: {err}")
+
+
 class Operations(unittest.TestCase):
     def test_one_that_is_none_is_refused_with_the_list(self):
         code, _, err = conform("--ops", "block_tim", *adapter("scalar"))

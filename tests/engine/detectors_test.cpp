@@ -169,6 +169,23 @@ TEST(Detectors, NarrowBoxes) {
   }
 }
 
+/// Regions between far ones are more than a table has entries, and than an integer counts.
+TEST(Detectors, OneThatLiesFarAway) {
+  for (int n = 0; n < 320; ++n) {
+    SceneText text(40 + static_cast<std::uint64_t>(n));
+    const double far = std::exp2(n % 40) * text.between(1, 2);
+    const double turned = n % 3 == 0 ? 0 : n % 3 == 1 ? -far : far / 3;
+    for (int x = 0; x < 8; ++x)
+      text.particle("ball", {1.5 * x, text.between(-.2, .2), 0}, {text.between(-1, 1), 0, 0});
+    if (n % 2 == 0) {
+      text.particle("ball", {far, far, turned}, {0, 0, 0});
+    } else {
+      text.particle("ball", {0, 0, 10}, {far, far, turned});
+    }
+    expect_one_course<3>(text.scene(R"("dimension":3,"duration":3)" + std::string(kBalls)), 1, 60);
+  }
+}
+
 /// Regions would be crossed faster than a time can be told from the next.
 TEST(Detectors, SpeedsThatNoRegionHolds) {
   SceneText text = cloud(4, 1);

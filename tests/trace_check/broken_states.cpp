@@ -150,6 +150,15 @@ Broken state_time_off(Trace& trace, std::uint64_t number) {
   });
 }
 
+/// The state's clock in every one of its spellings, so that it fits itself and not the run.
+Broken state_clock_ahead(Trace& trace, std::uint64_t number) {
+  const auto has_time = [](const Json& s) { return is_later(s) && mutation::number(s.at("now")[0]) > 0; };
+  return at_state(trace, number, has_time, [&](Json& state) {
+    const int ulps = 1 << number % 20;
+    for (Json* hi : {&state["now"][0], &state["t"]}) *hi = stepped(trace, *hi, ulps);
+  });
+}
+
 /// One event too late in the file, and otherwise as it was.
 Broken state_out_of_place(Trace& trace, std::uint64_t) {
   for (std::size_t n = 0; n + 1 < trace.lines.size(); ++n) {
@@ -181,6 +190,8 @@ const std::vector<Mutation>& broken_states() {
       {"state_plan_off", "a full state has done one planned event less", states, state_plan_off},
       {"state_counts_off", "a full state counts one event more", states, state_counts_off},
       {"state_time_off", "a full state is an ulp later than its event", states, state_time_off},
+      {"state_clock_ahead", "a full state's clock is ahead of its event, t and now alike", states,
+       state_clock_ahead},
       {"state_out_of_place", "a full state stands one event too late", states, state_out_of_place},
   };
   return list;

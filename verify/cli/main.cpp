@@ -30,11 +30,28 @@ namespace tps::cli {
 namespace {
 
 bool has_dashes = false;
+constexpr char kMark = '\x1f';
 
 }  // namespace
 
 bool command_line_has_dashes() {
   return has_dashes;
+}
+
+std::string as_typed(std::string word) {
+  if (word.starts_with(kMark)) word.erase(0, 1);
+  return word;
+}
+
+/// The words of the command line, those behind "--" marked where they look like a list.
+std::vector<std::string> marked(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  const auto dashes = std::find(words.begin(), words.end(), "--");
+  has_dashes = dashes != words.end();
+  for (auto word = dashes; word != words.end(); ++word) {
+    if (word->starts_with('[') || word->starts_with(kMark)) word->insert(0, 1, kMark);
+  }
+  return words;
 }
 
 }  // namespace tps::cli
@@ -87,7 +104,7 @@ int answer_usage(const CLI::App& app, const CLI::ParseError& error) {
                    : report("standard output: cannot write the text", tps::cli::kOutputFailed);
 }
 
-int run(int argc, char** argv) {
+int run(int argc, const char* const* argv) {
   int exit_code = tps::cli::kDone;
   CLI::App app("Reference implementation and oracle of the tethered particle system.", "tps");
   app.require_subcommand(1);
@@ -134,8 +151,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   tps::interrupt::install("tps");
-  tps::cli::has_dashes =
-      std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--"; });
-  const int exit_code = run(argc, argv);
+  const std::vector<std::string> words = tps::cli::marked(argc, argv);
+  std::vector<const char*> marked;
+  for (const std::string& word : words) marked.push_back(word.c_str());
+  const int exit_code = run(argc, marked.data());
   return tps::interrupt::requested() ? tps::cli::kInterrupted : exit_code;
 }

@@ -8,6 +8,10 @@ namespace tps::cli {
 /// Whether "--" stands on the command line.
 bool command_line_has_dashes();
 
+/// For transform() of the option that takes the words behind "--": as they were typed. CLI11 takes "[a,b]"
+/// for two words, so that such a word reaches it with a mark before it.
+std::string as_typed(std::string word);
+
 /// What the program returns to the shell (--help lists the same).
 enum ExitCode : int {
   kDone = 0,

@@ -122,6 +122,8 @@ BodiesNow<Number> bodies_now(const Model<Number>& model, const EventLine<Number>
   b.drift_j = drift_before(model, event, event.j);
   b.v = b.v_j - b.v_i;
   if (!recorded) b.blur += time_error * length(b.v);
+  if (!recorded && model.edges && model.images_are_open(W(0), time_error * length(b.v)))
+    b.blur += model.shortest_edge();
   b.inverse_i = model.inverse_mass(event.i);
   b.inverse_j = model.inverse_mass(event.j);
   b.mu = W(1) / (b.inverse_i + b.inverse_j);

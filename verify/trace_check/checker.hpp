@@ -83,6 +83,8 @@ class Checker {
 
   Turn<Number> turn_of_event(const EventLine<Number>& event);
   Turn<Number> turn_at_wall(const EventLine<Number>& event);
+  /// Whether a time of a minimal trace lies before the present by its rounding alone.
+  bool is_now_by_rounding(const Instant<Number>& t) const;
   void take_turn(const EventLine<Number>& event);
   void say_unknown(Kind kind);
   void judge_collision(const Context<Number>& c, const EventLine<Number>& event);

@@ -101,7 +101,9 @@ void Checker<Number>::follow(const EventLine<Number>& event, const std::vector<i
     model_.progress_event = model_.events - 1;
   }
   ++model_.kinds[static_cast<std::size_t>(event.kind)];
-  if (event.draw) {
+  const bool draws_unsaid =
+      minimal_ && event.j >= 0 && is_collision(event.kind) && detail::is_matter_of_chance(model_, event);
+  if (event.draw || draws_unsaid) {
     const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
     ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
   }

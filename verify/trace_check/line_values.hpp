@@ -58,7 +58,10 @@ class LineValues {
 
   static std::string_view text(dom::element value, const Pointer& at) {
     std::string_view result;
-    if (value.get(result) != simdjson::SUCCESS) problem(at, "is not a string");
+    if (value.get(result) != simdjson::SUCCESS) {
+      problem(at, fmt::format("is {}, not a string; exact numbers are in strings, too: \"0x1.8p+1\"",
+                              std::string(simdjson::minify(value)).substr(0, 60)));
+    }
     return result;
   }
 

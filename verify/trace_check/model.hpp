@@ -119,6 +119,17 @@ class Model {
     }
     return image;
   }
+  /// Of a periodic box. REQUIRES one.
+  W shortest_edge() const {
+    W shortest(0);
+    for (const Number& edge : *edges) {
+      if (edge != Number(0) && (shortest == W(0) || W(edge) < shortest)) shortest = W(edge);
+    }
+    return shortest;
+  }
+  /// Whether a pair within L of each other may be nearer by another image once it has flown `way`. REQUIRES a
+  /// box.
+  bool images_are_open(const W& L, const W& way) const { return W(2) * (L + way) >= shortest_edge(); }
   /// What an image is displaced by.
   Vec<W> shift_of(const Vec<Number>& image) const {
     Vec<W> shift;
@@ -175,7 +186,7 @@ class Model {
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
     f = {position, velocity, t, blur, events + 1, drift};
-    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, blur == W(0) && drift == W(0));
+    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, as_double(blur), as_double(drift));
   }
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
@@ -204,7 +215,7 @@ Model<Number>::Model(const Scene& scene_in, const Precision<Number>& precision_i
   };
   for (const Particle& p : scene.particles) {
     flights.push_back({lifted(p.position), lifted(p.velocity), {}, W(0)});
-    flights_in_doubles_.push_back(in_doubles(flights.back().position, flights.back().velocity, {}, true));
+    flights_in_doubles_.push_back(in_doubles(flights.back().position, flights.back().velocity, {}));
     const double mass = scene.species[at(p.species)].mass;
     inverse_masses.push_back(std::isinf(mass) ? W(0) : W(1) / W(stored<Number>(mass, precision)));
   }

@@ -73,7 +73,10 @@ TraceFileHead read_head(std::string_view text, const std::string& file, const st
   if (root.find("checkpoint") != nullptr)
     fail(file, 1, "is a checkpoint; the check is for traces, which start with {\"trace\":1,…}");
   const JsonValue* version = root.find("trace");
-  if (version == nullptr || version->number() == nullptr || version->number()->value != 1) {
+  if (version != nullptr && version->number() != nullptr && version->number()->value != 1)
+    fail(file, 1,
+         fmt::format("/trace is {}; this check reads version 1 of traces", version->number()->value));
+  if (version == nullptr || version->number() == nullptr) {
     fail(file, 1, "is not the first line of a trace: {\"trace\":1,\"scalar\":…,\"scene\":{…}}");
   }
   static const std::vector<std::string> known = {"trace", "semantics", "version",   "scalar", "options",

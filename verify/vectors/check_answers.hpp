@@ -22,7 +22,8 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
 std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out);
 
 /// The "out" of next_event as a known answer has it: `positions` and `velocities`, a row a particle, in the
-/// order of ids. Throws where a particle has no id.
-Json in_rows(Json out);
+/// order of ids. Throws std::invalid_argument, which says why, where the state is not one of so many
+/// particles.
+Json in_rows(Json out, std::size_t particles);
 
 }  // namespace tps::vectors

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "reference/text/plain_json.hpp"
+#include "reference/version.hpp"
 
 namespace tps::vectors {
 
@@ -58,7 +59,7 @@ Extent extent_of(const Stratum& stratum, int level, std::uint64_t count_at_level
 std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent& extent) {
   const Json header{{"schema", "vectors"},
                     {"version", kVectorsVersion},
-                    {"semantics", 1},
+                    {"semantics", kSemanticsVersion},
                     {"op", stratum.op},
                     {"stratum", stratum.name},
                     {"why", stratum.why},

@@ -1,5 +1,6 @@
 // tps vectors
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -41,7 +42,22 @@ void add_selection(CLI::App& verb, Selection& selection) {
   verb.add_option("--stratum", selection.names, "Only these strata")->check(CLI::IsMember(names));
 }
 
+/// Each word may be right and the two together none.
+void require_any(const Selection& selection) {
+  const std::vector<Stratum>& all = vectors::strata();
+  if (std::any_of(all.begin(), all.end(), [&](const Stratum& stratum) { return selection.has(stratum); }))
+    return;
+  std::vector<std::string> names;
+  for (const Stratum& stratum : all) {
+    if (Selection{selection.ops, {}}.has(stratum)) names.push_back(stratum.name);
+  }
+  throw CLI::ValidationError("--stratum",
+                             fmt::format("{} has no {}; it has {}", fmt::join(selection.ops, ", "),
+                                         fmt::join(selection.names, ", "), fmt::join(names, ", ")));
+}
+
 void list_strata(const Selection& selection) {
+  require_any(selection);
   Output out("-");
   for (const Stratum& s : vectors::strata()) {
     if (selection.has(s))
@@ -63,6 +79,7 @@ std::string file_of(const GenerateArguments& a, const Stratum& stratum) {
 }
 
 void generate(const GenerateArguments& a) {
+  require_any(a.selection);
   std::unique_ptr<Output> out;
   if (a.output == "-") {
     out = std::make_unique<Output>("-");

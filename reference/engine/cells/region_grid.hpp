@@ -69,7 +69,10 @@ class RegionGrid {
       while ((std::int64_t{1} << bits[k]) < width) ++bits[k];
       total += bits[k];
     }
-    while (total > 6 && (std::uint64_t{1} << total) > kBucketsPerParticle * members.size()) {
+    const auto is_too_fine = [&] {
+      return total >= 64 || (std::uint64_t{1} << total) > kBucketsPerParticle * members.size();
+    };
+    while (total > 6 && is_too_fine()) {
       --*std::max_element(bits.begin(), bits.end());
       --total;
     }

@@ -7,6 +7,7 @@
 #include "verify/trace_check/context.hpp"
 #include "verify/trace_check/rules/direction.hpp"
 #include "verify/trace_check/rules/limit_flight.hpp"
+#include "verify/trace_check/rules/order.hpp"
 #include "verify/trace_check/rules/readings.hpp"
 #include "verify/trace_check/step_as_case.hpp"
 
@@ -62,7 +63,10 @@ inline bool at_certified_time(const Context<double>& c, const EventLine<double>&
   if (!answer.t || !counts) return false;
   const W t = W(*answer.t) * (asked.responded && answer.verdict == TimingVerdict::turning ? 2 : 1);
   const W dt = elapsed(pair.start, event.t);
-  const W rounding = c.time_error(event.t) + (c.model.precision.is_float ? c.u() * t * W(1.001) : W(0));
+  // A float run's times are those of double, rounded once more.
+  const W rounding =
+      c.time_error(event.t) +
+      (c.model.precision.is_float ? half_ulp(c, t) * W(1.001) + c.model.precision.smallest : W(0));
   if (std::fabs(dt - t) <= rounding) return true;
   const bool clock_had_passed = event.t == c.model.now && dt > t;
   return clock_had_passed && dt - t <= W(2.5) * c.u() * std::fabs(W(event.t.hi)) + rounding;
@@ -125,11 +129,16 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event,
   }
   const Quadratic<W>& q = arrival->flight.q;
   const W& dt = arrival->flight.dt;
-  if (q.blur_error >= limit.L * limit.L) {
+  const bool image_is_open =
+      model.edges && model.images_are_open(limit.L, c.time_error(event.t) * length(q.v));
+  if (image_is_open || q.blur_error >= limit.L * limit.L) {
     for (const Rule rule : {Rule::contact, Rule::earliest, Rule::bounds}) {
       c.tally.cannot_tell(rule, [&] {
-        return fmt::format("where the distance of {} is uncertain by {}, its limit being {}",
-                           c.pair(event.i, event.j), shown(pair.blur), shown(limit.L));
+        return image_is_open
+                   ? fmt::format("where {} fly so far while the time is rounded that it may be another image",
+                                 c.pair(event.i, event.j))
+                   : fmt::format("where the distance of {} is uncertain by {}, its limit being {}",
+                                 c.pair(event.i, event.j), shown(pair.blur), shown(limit.L));
       });
     }
     return;

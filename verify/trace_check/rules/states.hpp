@@ -97,6 +97,7 @@ class StateJudge {
     } else {
       expect(same(instant(s.now), line_.t), "\"t\" is not the time \"now\"");
     }
+    expect(same(instant(s.now), model_.now), "\"now\" is not the time of the event before");
     expect(same(instant(s.last_event), model_.now), "\"last_event\" is not the time of the event before");
     expect(s.progress_event == model_.progress_event,
            fmt::format("the clock last moved at event {}, not {}", model_.progress_event, s.progress_event));

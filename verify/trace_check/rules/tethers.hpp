@@ -16,31 +16,79 @@ bool has_room(const Model<Number>& model, int i) {
   return !capacity || model.tethers[static_cast<std::size_t>(i)].size() < static_cast<std::size_t>(*capacity);
 }
 
-/// A draw is that of the seed, for what it is for (docs/decisions.md, N12), unless it is taken as given.
+/// Whether a rebound may form a tether, by the rule of a pair that has none yet.
 template <typename Number>
-void judge_draw(const Context<Number>& c, const EventLine<Number>& event) {
-  if (!c.own_draws) return;
-  const Model<Number>& model = c.model;
+bool may_form(const Model<Number>& model, const EventLine<Number>& event) {
+  const PairRules<Number>& rules = model.rules.of(event.i, event.j);
+  return rules.can_tether && !rules.permanent && rules.form.when != FormRule::When::never;
+}
+
+template <typename Number>
+bool is_untethered(const Model<Number>& model, const EventLine<Number>& event) {
+  return model.tethers[static_cast<std::size_t>(event.i)].count(event.j) == 0;
+}
+
+/// Whether a probability decides about the tether of the pair.
+template <typename Number>
+bool is_matter_of_chance(const Model<Number>& model, const EventLine<Number>& event) {
+  const PairRules<Number>& rules = model.rules.of(event.i, event.j);
+  if (event.kind != Kind::rebound) return rules.breaks.when == BreakRule::When::probability;
+  return rules.form.when == FormRule::When::probability && may_form(model, event) &&
+         is_untethered(model, event) && has_room(model, event.i) && has_room(model, event.j);
+}
+
+/// The draw of our generator for the scene's seed, for what it is for (docs/decisions.md, N12).
+struct SeedsDraw {
+  std::uint32_t used;  ///< draws for it so far
+  double value;
+};
+
+template <typename Number>
+SeedsDraw draw_of_seed(const Model<Number>& model, const EventLine<Number>& event) {
   const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
   const std::int32_t i = model.id(event.i);
   const std::int32_t j = model.id(event.j);
   const auto before = model.draws.find({static_cast<int>(purpose), i, j});
   const std::uint32_t used = before == model.draws.end() ? 0 : before->second;
-  const double right =
-      uniform(model.scene.seed, purpose, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), used);
-  c.tally.demand(Rule::tethers, *event.draw == right, [&](Finding& f) {
+  return {used, uniform(model.scene.seed, purpose, static_cast<std::uint32_t>(i),
+                        static_cast<std::uint32_t>(j), used)};
+}
+
+/// A draw that is recorded, unless it is taken as given.
+template <typename Number>
+void judge_draw(const Context<Number>& c, const EventLine<Number>& event) {
+  if (!c.own_draws) return;
+  const auto [used, right] = draw_of_seed(c.model, event);
+  c.tally.demand(Rule::tethers, *event.draw == right, [&, used = used, right = right](Finding& f) {
     const auto [found, expected] = told_apart(*event.draw, right);
     f.message = fmt::format(
         "the draw of {} is {}; draw {} of seed {} for it is {} (--trust-draws takes draws as given)",
-        c.pair(event.i, event.j), found, used, model.scene.seed, expected);
+        c.pair(event.i, event.j), found, used, c.model.scene.seed, expected);
   });
+}
+
+/// What a probability decides where no draw is recorded, which a minimal trace may leave out.
+template <typename Number>
+std::optional<bool> decision_without_record(const Context<Number>& c, const EventLine<Number>& event,
+                                            double probability) {
+  if (c.own_draws) return draw_of_seed(c.model, event).value < probability;
+  if (probability <= 0 || probability >= 1) return probability >= 1;
+  c.tally.not_judged(Rule::tethers, "what a probability decides is taken as given where no draw is recorded");
+  return std::nullopt;
+}
+
+template <typename Number>
+std::string chance_in_words(const Context<Number>& c, const EventLine<Number>& event, double probability) {
+  if (!event.draw && !c.own_draws) return fmt::format("the probability is {}", probability);
+  return fmt::format("the draw is {} and the probability {}",
+                     event.draw ? *event.draw : draw_of_seed(c.model, event).value, probability);
 }
 
 /// A random number is drawn exactly where a probability decides. @return whether it says yes.
 template <typename Number>
 std::optional<bool> decision(const Context<Number>& c, const EventLine<Number>& event, bool asked,
                              double probability, const char* what) {
-  if (c.minimal && asked && !event.draw) return std::nullopt;
+  if (c.minimal && asked && !event.draw) return decision_without_record(c, event, probability);
   c.tally.demand(Rule::tethers, asked == event.draw.has_value(), [&](Finding& f) {
     f.message =
         asked ? fmt::format(
@@ -62,20 +110,19 @@ void judge_forming(const Context<Number>& c, const EventLine<Number>& event) {
   const Model<Number>& model = c.model;
   const PairRules<Number>& rules = model.rules.of(event.i, event.j);
   const bool forms = event.formed.value_or(false);
-  const bool can = rules.can_tether && !rules.permanent && rules.form.when != FormRule::When::never;
-  const bool free = can && model.tethers[static_cast<std::size_t>(event.i)].count(event.j) == 0;
+  const bool can = detail::may_form(model, event);
+  const bool free = can && detail::is_untethered(model, event);
   const bool room = detail::has_room(model, event.i) && detail::has_room(model, event.j);
-  const bool chance = free && room && rules.form.when == FormRule::When::probability;
+  const bool chance = detail::is_matter_of_chance(model, event);
   const std::optional<bool> drawn = detail::decision(c, event, chance, rules.form.probability, "forms");
   if (chance && !drawn) return;
   const bool should = free && room && drawn.value_or(true);
   c.tally.demand(Rule::tethers, forms == should, [&](Finding& f) {
-    const std::string why =
-        !can     ? "their rule never forms one"
-        : !free  ? "they are tethered already"
-        : !room  ? "one of them has all the tethers it can have"
-        : chance ? fmt::format("the draw is {} and the probability {}", *event.draw, rules.form.probability)
-                 : "their rule always forms one";
+    const std::string why = !can     ? "their rule never forms one"
+                            : !free  ? "they are tethered already"
+                            : !room  ? "one of them has all the tethers it can have"
+                            : chance ? detail::chance_in_words(c, event, rules.form.probability)
+                                     : "their rule always forms one";
     f.message =
         fmt::format("{} {} a tether, but {}", c.pair(event.i, event.j), forms ? "form" : "do not form", why);
   });
@@ -117,7 +164,8 @@ void judge_breaking(const Context<Number>& c, const EventLine<Number>& event,
                             breaks ? "breaks" : "holds", should ? "breaks" : "holds",
                             rules.breaks.when == When::impulse_above
                                 ? fmt::format(": |Δp| = {} and the threshold is {}", told.first, told.second)
-                                : std::string());
+                            : drawn ? ": " + detail::chance_in_words(c, event, rules.breaks.probability)
+                                    : std::string());
   });
 }
 
