@@ -111,7 +111,6 @@ void check_operations(const std::vector<std::string>& patterns) {
         std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
     if (entry.is_answered || has_law) names.push_back(op);
   }
-  names.emplace_back(kSimulate);
   for (const std::string& pattern : patterns) {
     if (std::any_of(names.begin(), names.end(),
                     [&](const std::string& name) { return wanted({pattern}, name); }))

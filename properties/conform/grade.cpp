@@ -75,12 +75,18 @@ std::vector<Word> verdicts_of(std::string_view op) {
   return words;
 }
 
-/// Why an answer to a timing operation says nothing, or contradicts itself, whatever the question was.
-std::optional<std::string> says_nothing(const Question& question, const Json& out) {
+/// What an answer to a timing operation says that has no meaning, whatever the question was.
+struct Meaningless {
+  std::string why;
+  bool is_of_range = false;  ///< a time that JSON cannot hold may have become null
+};
+
+std::optional<Meaningless> says_nothing(const Question& question, const Json& out) {
   const auto verdict = out.find("verdict");
   if (verdict == out.end()) {
     if (out.contains("t")) return std::nullopt;
-    return "out has neither verdict nor t; it must say what happens, with t null where nothing does";
+    return Meaningless{
+        "out has neither verdict nor t; it must say what happens, with t null where nothing does"};
   }
   const std::vector<Word> words = verdicts_of(question.op);
   const auto word =
@@ -88,13 +94,14 @@ std::optional<std::string> says_nothing(const Question& question, const Json& ou
   if (word == words.end()) {
     std::vector<std::string_view> names;
     for (const Word& each : words) names.push_back(each.name);
-    return fmt::format("verdict is {}; the verdicts of {} are {}", tps::shown(*verdict), question.op,
-                       fmt::join(names, ", "));
+    return Meaningless{fmt::format("verdict is {}; the verdicts of {} are {}", tps::shown(*verdict),
+                                   question.op, fmt::join(names, ", "))};
   }
   const Json t = out.value("t", Json());
   if (word->occurs == !t.is_null()) return std::nullopt;
-  return fmt::format("verdict is \"{}\", which has {}, and t is {}", word->name,
-                     word->occurs ? "a time" : "no time", tps::shown(t));
+  return Meaningless{fmt::format("verdict is \"{}\", which has {}, and t is {}", word->name,
+                                 word->occurs ? "a time" : "no time", tps::shown(t)),
+                     word->occurs};
 }
 
 Grade with(Class which, const Comparison& c, const std::string& reason = {}) {
@@ -193,7 +200,11 @@ Grade graded_response(const KnownQuestion& known, const Json& out, const Compari
 
 Grade graded(const KnownQuestion& known, const Json& out, const Format& format, Implementation& stable) {
   if (is_timing(known)) {
-    if (auto why = says_nothing(known.question, out)) return {Class::wrong, std::move(*why)};
+    if (auto found = says_nothing(known.question, out)) {
+      const bool is_lost = found->is_of_range && leaves_range(known.question, format);
+      return {is_lost ? Class::worse : Class::wrong,
+              is_lost ? found->why + ": " + kOutOfRange : std::move(found->why)};
+    }
   }
   const double k = accepted_factor(known.answer.at("accept"));
   Comparison best;

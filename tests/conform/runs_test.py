@@ -25,7 +25,8 @@ class Simulators(unittest.TestCase):
         """A simulator in Python whose scene is at sys.argv[2]."""
         path = pathlib.Path(self.folder.name) / "simulator.py"
         path.write_text("import json, subprocess, sys\n" + body)
-        return asking.conform("--scenes", "6", *words, "--simulator", f"{sys.executable} -B {path} {TPS}")
+        scenes = [] if "--scenes" in words else ["--scenes", "6"]
+        return asking.conform(*scenes, *words, "--simulator", f"{sys.executable} -B {path} {TPS}")
 
 
 class Ends(Simulators):
@@ -87,17 +88,17 @@ class Draws(Simulators):
                "        print(json.dumps(keep))\n")
 
     def test_that_it_was_not_judged_is_said(self):
-        code, out, err = self.asked(self.MINIMAL + RUN + "minimal(trace, {'draws': 'recorded'})\n", "--scenes", "40")
+        code, out, err = self.asked(self.MINIMAL + RUN + "minimal(trace, {'draws': 'recorded'})\n", "--scenes", "20")
         self.assertEqual(code, 0, out + err)
         self.assertIn("not judged, tethers: what a probability decides is taken as given where no draw is recorded", out)
 
     def test_draws_of_the_seed_are_computed(self):
-        right = self.asked(self.MINIMAL + RUN + "minimal(trace, {'draws': 'philox'})\n", "--scenes", "40")
+        right = self.asked(self.MINIMAL + RUN + "minimal(trace, {'draws': 'philox'})\n", "--scenes", "20")
         self.assertEqual(right[0], 0, right[1])
         self.assertNotIn("not judged, tethers", right[1])
         always = ("scene = json.load(open(sys.argv[2]))\nfor pair in scene['pairs']:\n    form = pair.get('tethering', {}).get('form')\n"
                   "    if isinstance(form, dict): pair['tethering']['form'] = 'always'\nsys.argv[2] += '.always'\njson.dump(scene, open(sys.argv[2], 'w'))\n")
-        wrong = self.asked(self.MINIMAL + always + RUN + "minimal(trace, {'draws': 'philox'})\n", "--scenes", "40")
+        wrong = self.asked(self.MINIMAL + always + RUN + "minimal(trace, {'draws': 'philox'})\n", "--scenes", "20")
         self.assertEqual(wrong[0], 1, wrong[1])
         self.assertIn("form a tether, but the draw is", wrong[1])
 

@@ -34,7 +34,7 @@ class EventBatchesTest : public ::testing::Test {
   /// The events that `play` gives to the batches, as the trace has them behind its first line.
   template <typename Play>
   std::string written(const Play& play) {
-    TraceFiles files(options_);
+    TraceFiles files(options_, nullptr);
     files.begin(scene_, options_, 1, nullptr);
     {
       EventBatches<double, 2> batches(scene_, files);

@@ -191,7 +191,7 @@ TEST(Foreign, RoundedTimesThatAreWorthAnImageAreNotJudged) {
                           {{"t", t}, {"kind", "rebound"}, {"i", 0}, {"j", 1}, {"post", post}},
                           {{"end", "max_events"}, {"events", 1}, {"t", t}}}));
     EXPECT_TRUE(report.conforming()) << v << '\n' << report_text(report);
-    EXPECT_EQ(says(report, "it may be another image"), v > 40) << report_text(report);
+    EXPECT_EQ(says(report, "it may be another image"), v > 8) << report_text(report);
   }
 }
 
@@ -211,8 +211,8 @@ TEST(Wrong, ATimeOfACertifiedFloatRunRoundedTheOtherWayIsSeen) {
       if (line.contains("kind")) {
         const double exact = (X - 1) / 3;
         const float honest = static_cast<float>(number(line.at("t")));
-        t = std::nextafter(honest, honest < exact ? HUGE_VALF : -HUGE_VALF);
         if (exact == honest) break;
+        t = std::nextafter(honest, honest < exact ? HUGE_VALF : -HUGE_VALF);
         line["t"] = line["dt"] = write_hex_float(t);
         const std::string place = write_hex_float(static_cast<float>(3.0F * static_cast<float>(t)));
         line["pre"]["0"]["position"][0] = line["post"]["0"]["position"][0] = place;

@@ -14,7 +14,7 @@ namespace {
 
 /// A float's time as the check reads it from the trace: exactly, in two doubles.
 Instant<double> lifted(const Time<float>& t) {
-  const exact::DoubleWord sum = exact::two_sum(t.hi, t.lo);
+  const exact::DoubleWord sum = exact::two_sum<double>(t.hi, t.lo);
   return {sum.hi, sum.lo};
 }
 

@@ -31,7 +31,7 @@ FlightInDoubles flight(Random& random, double size, int length, int speed) {
     position[k] = std::ldexp(position[k], length);
     velocity[k] = std::ldexp(velocity[k], speed);
   }
-  return in_doubles(position, velocity, {std::ldexp(uniform(random, 0, 1), length - speed), 0}, true);
+  return in_doubles(position, velocity, {std::ldexp(uniform(random, 0, 1), length - speed), 0});
 }
 
 /// r and v at the later of the two clocks, and r·v.
@@ -73,12 +73,12 @@ TEST(FlewApart, IsNeverSaidOfPairsThatApproachedFirst) {
 }
 
 TEST(FlewApart, IsNotSaidWithinRounding) {
-  const FlightInDoubles a = in_doubles<double>({{0, 0, 0}}, {{0, 0, 0}}, {}, true);
+  const FlightInDoubles a = in_doubles<double>({{0, 0, 0}}, {{0, 0, 0}}, {});
   for (const double along : {-0x1p-41, 0.0, 0x1p-41}) {
-    const FlightInDoubles b = in_doubles<double>({{1, 0, 0}}, {{along, 0, 0}}, {}, true);
+    const FlightInDoubles b = in_doubles<double>({{1, 0, 0}}, {{along, 0, 0}}, {}, 0x1p-46);
     EXPECT_FALSE(FirstLook(a.until({1, 0}, 0), 0, 0x1p-40).flew_apart(b.until({1, 0}, 0)));
   }
-  const FlightInDoubles uncertain = in_doubles<double>({{1, 0, 0}}, {{1, 0, 0}}, {}, false);
+  const FlightInDoubles uncertain = in_doubles<double>({{1, 0, 0}}, {{1, 0, 0}}, {}, 0x1p-44);
   EXPECT_FALSE(FirstLook(a.until({1, 0}, 0), 0, 0x1p-40).flew_apart(uncertain.until({1, 0}, 0)));
 }
 
@@ -120,9 +120,9 @@ TEST(TimeWithin, IsThatOfTheLimitToAHundredth) {
 }
 
 TEST(TimeWithin, IsNotKnownAtTheLimitOrAtRest) {
-  const FlightInDoubles a = in_doubles<double>({{0, 0, 0}}, {{0, 0, 0}}, {}, true);
+  const FlightInDoubles a = in_doubles<double>({{0, 0, 0}}, {{0, 0, 0}}, {});
   const auto within = [&](double place, double speed, double share, bool is_certain = true) {
-    const FlightInDoubles b = in_doubles<double>({{place, 0, 0}}, {{speed, 0, 0}}, {}, is_certain);
+    const FlightInDoubles b = in_doubles<double>({{place, 0, 0}}, {{speed, 0, 0}}, {}, is_certain ? 0 : 1);
     return time_within(a, b, 2, share).has_value();
   };
   EXPECT_TRUE(within(1, 1, 0x1p-40));

@@ -122,8 +122,9 @@ class Model {
   /// Of a periodic box. REQUIRES one.
   W shortest_edge() const {
     W shortest(0);
-    for (const Number& edge : *edges) {
-      if (edge != Number(0) && (shortest == W(0) || W(edge) < shortest)) shortest = W(edge);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const W edge((*edges)[k]);
+      if (edge != W(0) && (shortest == W(0) || edge < shortest)) shortest = edge;
     }
     return shortest;
   }
@@ -186,7 +187,8 @@ class Model {
     Flight<Number>& f = flights[at(i)];
     if (!(f.velocity == velocity)) responded_[at(i)].clear();
     f = {position, velocity, t, blur, events + 1, drift};
-    flights_in_doubles_[at(i)] = in_doubles(position, velocity, t, as_double(blur), as_double(drift));
+    flights_in_doubles_[at(i)] =
+        in_doubles(position, velocity, t, static_cast<double>(blur), static_cast<double>(drift));
   }
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
