@@ -117,6 +117,13 @@ def rows(folder):
         trace.write_text(json.dumps({"trace": 1, "form": "minimal", "scalar": "double", "scene": falling}) + "\n" + json.dumps({"end": "duration", "t": 1, "events": 0}) + "\n")
         return trace
 
+    def one_body(balls):
+        # A row of balls that becomes one body, pair by pair: its trace grows with the square of their number.
+        subprocess.run([TPS, "scene", "cradle", "--particles", str(balls), "-o", folder / "row.json"], check=True)
+        row = dict(json.loads((folder / "row.json").read_text()), grouping={"dt_restitute": 1}, duration=0.5)
+        subprocess.run([TPS, "run", "-q", scene("s", row), "-o", trace], check=True, stdout=subprocess.DEVNULL)
+        return trace
+
     def foreign(bodies):
         path = folder / "foreign.json"
         path.write_text(json.dumps({"species": {"a": {"mass": 1, "radius": 0.25}},
@@ -136,6 +143,7 @@ def rows(folder):
     yield "check, 1000 events", lambda s: measured(["check", "-q", run_of(1000 * s)])
     yield "check, a flight across 100 edges of a periodic box", lambda s: measured(["check", "-q", boxed(100 * s)])
     yield "check, 100 kicks of gravity missing", lambda s: measured(["check", "-q", without_kicks(100 * s)])
+    yield "check, one body of 100, 316, 1000 made pair by pair", lambda s: measured(["check", "-q", one_body(round(100 * s ** 0.5))])
     yield "view, 1000 events", lambda s: page(1000 * s)
     yield "import, 100 bodies", lambda s: measured(["import", foreign(100 * s), "-o", folder / "imported.json"])
     yield "run --resume, behind 1000 events", lambda s: measured(["run", "-q", "--resume", run_of(1000 * s), "--max-events", 1000 * s])
