@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "properties/conform/ask_all.hpp"
-#include "properties/conform/ask_steps.hpp"
 #include "properties/conform/hypotheses.hpp"
 #include "properties/conform/inquiry.hpp"
+#include "properties/conform/offered_names.hpp"
 #include "properties/conform/profile.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/conform/random_scene_verb.hpp"
@@ -21,7 +21,6 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/text/input_error.hpp"
-#include "reference/text/nearest_name.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cli/line_every.hpp"
 #include "verify/cli/named_files.hpp"
@@ -102,42 +101,6 @@ std::vector<std::string> expected_failures(const std::string& path) {
   return patterns;
 }
 
-/// Names, or patterns that fit some.
-void check_operations(const std::vector<std::string>& patterns) {
-  std::vector<std::string> names;
-  for (const protocol::Entry& entry : protocol::catalogue()) {
-    const std::string op(entry.name);
-    const bool has_law =
-        std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
-    if (entry.is_answered || has_law) names.push_back(op);
-  }
-  for (const std::string& pattern : patterns) {
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& name) { return wanted({pattern}, name); }))
-      continue;
-    throw CLI::ValidationError(
-        "--ops", fmt::format("{} is no operation; there are {}", printable(pattern), fmt::join(names, ", ")));
-  }
-}
-
-/// --tags names strata that there are.
-void check_strata(const std::vector<std::string>& patterns) {
-  std::vector<std::string> names = step_rows();
-  for (const vectors::Stratum& stratum : vectors::strata()) names.push_back(stratum.op + "." + stratum.name);
-  for (const std::string& pattern : patterns) {
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& name) { return wanted({pattern}, name); }))
-      continue;
-    const std::string nearest = nearest_name(pattern, names);
-    throw CLI::ValidationError(
-        "--tags",
-        fmt::format(
-            "{} is no stratum{}; tps vectors list shows them; block_time.graze is one, *.far are those of "
-            "all operations",
-            printable(pattern), nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
-  }
-}
-
 /// The words of a command for a shell.
 std::string for_a_shell(const std::vector<std::string>& words) {
   const auto quoted = [](const std::string& word) {
@@ -193,6 +156,16 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
+/// What is wrong with the words of an option is a mistake of usage.
+void check_words(const char* option, const std::vector<std::string>& words,
+                 void (*check)(const std::vector<std::string>&)) {
+  try {
+    check(words);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
 int run_conform(const ConformArguments& a) {
   if (a.hypotheses) {
     write_result("-", fmt::format("{}\n", fmt::join(hypothesis_names(), "\n")));
@@ -203,13 +176,9 @@ int run_conform(const ConformArguments& a) {
       .reads("--expect-fail", a.expected)
       .writes("--report", a.report)
       .require_distinct();
-  try {
-    check_features(a.features);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--features", error.what());
-  }
-  check_operations(a.ops);
-  check_strata(a.strata);
+  check_words("--features", a.features, check_features);
+  check_words("--ops", a.ops, check_operations);
+  check_words("--tags", a.strata, check_strata);
   Verdict verdict;
   verdict.profile = read_profile(a.profile);
   verdict.data = fmt::format("known answers {}.{}", vectors::kVectorsVersion, vectors::kCommittedSeed);

@@ -1,0 +1,51 @@
+#include "properties/conform/offered_names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "properties/conform/ask_steps.hpp"
+#include "properties/conform/inquiry.hpp"
+#include "properties/law.hpp"
+#include "reference/text/nearest_name.hpp"
+#include "reference/text/printable.hpp"
+#include "verify/protocol/catalogue.hpp"
+#include "verify/vectors/stratum.hpp"
+
+namespace tps::properties::conform {
+
+void check_operations(const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  for (const protocol::Entry& entry : protocol::catalogue()) {
+    const std::string op(entry.name);
+    const bool has_law =
+        std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
+    if (entry.is_answered || has_law) names.push_back(op);
+  }
+  for (const std::string& pattern : patterns) {
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return wanted({pattern}, name); }))
+      continue;
+    throw std::invalid_argument(
+        fmt::format("{} is no operation; there are {}", printable(pattern), fmt::join(names, ", ")));
+  }
+}
+
+void check_strata(const std::vector<std::string>& patterns) {
+  std::vector<std::string> names = step_rows();
+  for (const vectors::Stratum& stratum : vectors::strata()) names.push_back(stratum.op + "." + stratum.name);
+  for (const std::string& pattern : patterns) {
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return wanted({pattern}, name); }))
+      continue;
+    const std::string nearest = nearest_name(pattern, names);
+    throw std::invalid_argument(
+        fmt::format("{} is no stratum{}; tps vectors list shows them; block_time.graze is one, *.far are "
+                    "those of all operations",
+                    printable(pattern), nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
+  }
+}
+
+}  // namespace tps::properties::conform
