@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "tests/run/traced_run.hpp"
 #include "verify/trace_check/check.hpp"
@@ -16,6 +17,11 @@ inline check::CheckReport checked(const std::string& bytes, const check::CheckOp
   const check::CheckReport report = check::check_trace(path, options);
   std::filesystem::remove(path);
   return report;
+}
+
+/// Whether the report as people read it has that text.
+inline bool says(const check::CheckReport& report, std::string_view text) {
+  return report_text(report).find(text) != std::string::npos;
 }
 
 inline std::string first_finding(const check::CheckReport& report) {

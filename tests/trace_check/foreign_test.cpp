@@ -20,13 +20,10 @@ using check::CheckOptions;
 using check::CheckReport;
 using check::Rule;
 using testing::checked;
+using testing::says;
 
 CheckReport checked_case(const std::string& name) {
   return check::check_trace(TPS_SOURCE_DIR "/tests/trace_check/cases/" + name + ".ndjson");
-}
-
-bool says(const CheckReport& report, std::string_view text) {
-  return report_text(report).find(text) != std::string::npos;
 }
 
 /// The minimal form of a full trace of doubles: times, kinds and velocities; `positions` as the header says

@@ -19,10 +19,7 @@ namespace {
 using check::CheckReport;
 using check::Rule;
 using testing::checked;
-
-bool says(const CheckReport& report, std::string_view text) {
-  return report_text(report).find(text) != std::string::npos;
-}
+using testing::says;
 
 std::string in_lines(std::initializer_list<Json> lines) {
   std::string text;
