@@ -14,6 +14,7 @@
 #include "properties/runs/contact_scenes.hpp"
 #include "reference/run/run.hpp"
 #include "reference/text/input_error.hpp"
+#include "verify/certified/exact_timing.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -71,13 +72,33 @@ RunSummary first_events(const Scene& scene, std::uint64_t count) {
   return run_scene(scene, options);
 }
 
+/// Whether a run ends by itself and until then. At a tie or a threshold one right program turns another way
+/// than the next, and goes on for ever: so as stable, certified and float runs go.
+bool ends_by_itself(const Scene& endless, double until) {
+  certified::ExactTiming certifier;
+  const auto ends = [&](ScalarKind scalar, Timing timing) {
+    RunOptions options;
+    options.max_events = kMostEvents + 1;
+    options.scalar = scalar;
+    options.timing = timing;
+    options.certifier = &certifier;
+    try {
+      const RunSummary run = run_scene(endless, options);
+      return run.end == "no_more_events" && run.t <= until;
+    } catch (const InputError&) {
+      return false;  // no scene in that scalar
+    }
+  };
+  return ends(ScalarKind::double_, Timing::stable) && ends(ScalarKind::double_, Timing::certified) &&
+         ends(ScalarKind::float_, Timing::stable);
+}
+
 /// Without a duration, where the run ends by itself and soon: what is far away is known by few digits.
 Scene without_duration(Scene scene) {
   constexpr double kSoon = 100;
   Scene endless = scene;
   endless.duration = std::numeric_limits<double>::infinity();
-  const RunSummary run = first_events(endless, kMostEvents + 1);
-  return run.end == "no_more_events" && run.t <= kSoon * scene.duration ? endless : scene;
+  return ends_by_itself(endless, kSoon * scene.duration) ? endless : scene;
 }
 
 /// The scene, so short that it has no more events than that; nothing where events do not end.
