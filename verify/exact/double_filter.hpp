@@ -16,6 +16,10 @@ TPS_IN_EVERY_COPY double absolute(double x) {
   return std::fabs(x);
 }
 
+TPS_IN_EVERY_COPY bool both(bool x, bool y) {
+  return x && y;
+}
+
 /// Pays for products that underflow; see "Range" in docs/exact.md.
 constexpr double underflow_allowance = 0x1p-1000;
 
@@ -102,7 +106,7 @@ TPS_IN_EVERY_COPY CoefficientsIn<T> coefficients_at_home(const std::array<T, 3>&
   const T H = absolute(h_x) + absolute(h_y) + absolute(h_z);
   const T D = h * h - a * c;
 
-  const Truth<T> in_range = comfortable(a) & comfortable(M);
+  const Truth<T> in_range = both(comfortable(a), comfortable(M));
   return {a, h, c, D, 6 * u * H + T(underflow_allowance), 7 * u * M, 14 * u * (H * H + a * M), in_range};
 }
 

@@ -18,6 +18,7 @@ struct FourTruths {
   TPS_IN_EVERY_COPY friend FourTruths operator&(FourTruths x, FourTruths y) {
     return {_mm256_and_pd(x.bits, y.bits)};
   }
+  TPS_IN_EVERY_COPY friend FourTruths both(FourTruths x, FourTruths y) { return x & y; }
   TPS_IN_EVERY_COPY friend FourTruths operator|(FourTruths x, FourTruths y) {
     return {_mm256_or_pd(x.bits, y.bits)};
   }

@@ -110,7 +110,7 @@ TPS_IN_EVERY_COPY NewtonStep<T> step_to_hit(const StateAt<T>& at, T L, T side, T
   const Truth<T> bounded = (slope_uncertainty < T(small)) & (4 * curvature < T(small));
   // Near the root |w| is near L: then the difference of their squares is exact (Sterbenz).
   const Truth<T> is_exact = absolute(apart) < 0.25 * L_squared.hi;
-  const Truth<T> in_range = comfortable(L_squared.hi) & comfortable(V_squared);
+  const Truth<T> in_range = both(comfortable(L_squared.hi), comfortable(V_squared));
   const Truth<T> on_its_side = side * q1 > T(0);
   const Truth<T> holds = on_its_side & bounded & in_range & is_exact;
   const T error = residual_uncertainty + size * (1.01 * slope_uncertainty + 8 * u + 1.1 * curvature) +
