@@ -11,6 +11,7 @@
 #include "properties/runs/scratch_file.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {
 namespace {
