@@ -23,15 +23,24 @@ std::vector<std::string> hazards_of(const Case& c) {
   return found;
 }
 
+std::vector<TimingVerdict> verdicts_of(TimingKind kind) {
+  using enum TimingVerdict;
+  switch (kind) {
+    case TimingKind::block:
+      return {static_pair, receding, overlap, contact, miss, tangent, hit};
+    case TimingKind::tether:
+      return {static_pair, hit, taut, overstretched, turning};
+    case TimingKind::plane:
+      break;
+  }
+  return {static_pair, receding, overlap, contact, hit};
+}
+
 std::vector<std::string> verdict_hazards() {
-  using exact::Verdict;
   std::vector<std::string> all;
-  for (const Verdict verdict : {Verdict::static_pair, Verdict::receding, Verdict::overlap, Verdict::contact,
-                                Verdict::miss, Verdict::tangent, Verdict::hit})
-    all.push_back(verdict_name(TimingKind::block, verdict));
-  for (const Verdict verdict :
-       {Verdict::static_pair, Verdict::hit, Verdict::taut, Verdict::overstretched, Verdict::turning})
-    all.push_back(verdict_name(TimingKind::tether, verdict));
+  for (const TimingKind kind : {TimingKind::block, TimingKind::tether}) {
+    for (const TimingVerdict verdict : verdicts_of(kind)) all.push_back(verdict_name(kind, verdict));
+  }
   return all;
 }
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "properties/conform/expected.hpp"
 #include "properties/conform/judge_trace.hpp"
@@ -132,8 +131,9 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
   if (answer.status != Answer::Status::answered) return {Class::refused, answer.reason};
   if (!answer.out.is_object()) return {Class::wrong, "out is no object"};
   const Json& scene = step.question.in.at("scene");
+  if (auto why = vectors::wrong_state(answer.out, scene.at("particles").size()))
+    return {Class::wrong, std::move(*why)};
   try {
-    static_cast<void>(vectors::in_rows(answer.out, scene.at("particles").size()));
     const check::CheckReport report = checked(json_text(scene), trace_of(scene, answer.out));
     const check::Finding* worst = worst_of(report);
     if (worst != nullptr && class_of(*worst) == Class::wrong) {
@@ -144,8 +144,6 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
     return worst == nullptr ? Grade{} : Grade{class_of(*worst), words_of(*worst)};
   } catch (const InputError& error) {
     return {Class::wrong, "no event that can be judged: " + first_problem(error)};
-  } catch (const std::invalid_argument& error) {
-    return {Class::wrong, error.what()};
   } catch (const Json::exception&) {
     return {Class::wrong,
             "no event that can be judged: its parts are not of the kind that docs/protocol.md has"};

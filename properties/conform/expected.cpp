@@ -167,14 +167,13 @@ Comparison compare(const Expected& expected, const Question& question, Json out,
                    double k) {
   Comparison comparison;
   if (question.op == "next_event") {
-    try {
-      out = vectors::in_rows(std::move(out), question.in.at("scene").at("particles").size());
-    } catch (const std::invalid_argument& error) {
+    if (auto wrong = vectors::wrong_state(out, question.in.at("scene").at("particles").size())) {
       comparison.words = comparison.numbers = comparison.within = comparison.nearest = false;
       comparison.is_minor = false;
-      comparison.problem = error.what();
+      comparison.problem = std::move(*wrong);
       return comparison;
     }
+    out = vectors::in_rows(std::move(out));
   }
   for (const ExpectedWord& each : expected.words) {
     if (expected.is_timing && !out.contains(each.key) && out.contains("t"))

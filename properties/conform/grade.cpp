@@ -7,14 +7,15 @@
 #include <cmath>
 #include <exception>
 
+#include "properties/classify.hpp"
 #include "properties/conform/effect_margins.hpp"
 #include "properties/conform/response_margin.hpp"
 #include "properties/conform/timing_margin.hpp"
-#include "reference/equations/timing_verdict.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/certified/timing_input.hpp"
+#include "verify/vectors/check_answers.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties::conform {
@@ -50,7 +51,7 @@ exact::TimingQuery half_of(const Json& order, const char* key) {
 TimeAnswer time_answer(const Json& out) {
   TimeAnswer answer;
   if (const auto verdict = out.find("verdict"); verdict != out.end())
-    answer.verdict = verdict->is_string() ? verdict->get<std::string>() : "no word";
+    answer.verdict = verdict->get<std::string>();
   if (const auto t = out.find("t"); t != out.end() && !t->is_null()) {
     const auto numbers = numbers_of(*t);
     answer.t = numbers && numbers->size() == 1 ? (*numbers)[0] : NAN;
@@ -64,14 +65,11 @@ struct Word {
 };
 
 /// The verdicts of an operation (docs/protocol.md).
-std::vector<Word> verdicts_of(std::string_view op) {
+std::vector<Word> words_of(const std::string& op) {
   if (op == "drag_time") return {{"reached", true}, {"never", false}};
-  using enum TimingVerdict;
-  std::vector<TimingVerdict> all{static_pair, receding, overlap, contact, miss, tangent, hit};
-  if (op == "tether_time") all = {static_pair, hit, taut, overstretched, turning};
-  if (op == "wall_time") all = {static_pair, receding, overlap, contact, hit};
   std::vector<Word> words;
-  for (const TimingVerdict verdict : all) words.push_back({name(verdict), occurs(verdict)});
+  for (const TimingVerdict verdict : verdicts_of(certified::timing_kind(op).value()))
+    words.push_back({name(verdict), occurs(verdict)});
   return words;
 }
 
@@ -85,10 +83,9 @@ std::optional<Meaningless> says_nothing(const Question& question, const Json& ou
   const auto verdict = out.find("verdict");
   if (verdict == out.end()) {
     if (out.contains("t")) return std::nullopt;
-    return Meaningless{
-        "out has neither verdict nor t; it must say what happens, with t null where nothing does"};
+    return Meaningless{vectors::kSaysNothing};
   }
-  const std::vector<Word> words = verdicts_of(question.op);
+  const std::vector<Word> words = words_of(question.op);
   const auto word =
       std::find_if(words.begin(), words.end(), [&](const Word& w) { return *verdict == w.name; });
   if (word == words.end()) {

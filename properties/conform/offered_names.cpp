@@ -16,6 +16,21 @@
 
 namespace tps::properties::conform {
 
+namespace {
+
+/// The first pattern that fits no name; null where each fits some.
+const std::string* fits_none(const std::vector<std::string>& patterns,
+                             const std::vector<std::string>& names) {
+  const auto fits = [&](const std::string& pattern) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return wanted({pattern}, name); });
+  };
+  const auto found = std::find_if_not(patterns.begin(), patterns.end(), fits);
+  return found == patterns.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 void check_operations(const std::vector<std::string>& patterns) {
   std::vector<std::string> names;
   for (const protocol::Entry& entry : protocol::catalogue()) {
@@ -24,27 +39,21 @@ void check_operations(const std::vector<std::string>& patterns) {
         std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
     if (entry.is_answered || has_law) names.push_back(op);
   }
-  for (const std::string& pattern : patterns) {
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& name) { return wanted({pattern}, name); }))
-      continue;
+  if (const std::string* pattern = fits_none(patterns, names)) {
     throw std::invalid_argument(
-        fmt::format("{} is no operation; there are {}", printable(pattern), fmt::join(names, ", ")));
+        fmt::format("{} is no operation; there are {}", printable(*pattern), fmt::join(names, ", ")));
   }
 }
 
 void check_strata(const std::vector<std::string>& patterns) {
   std::vector<std::string> names = step_rows();
   for (const vectors::Stratum& stratum : vectors::strata()) names.push_back(stratum.op + "." + stratum.name);
-  for (const std::string& pattern : patterns) {
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& name) { return wanted({pattern}, name); }))
-      continue;
-    const std::string nearest = nearest_name(pattern, names);
+  if (const std::string* pattern = fits_none(patterns, names)) {
+    const std::string nearest = nearest_name(*pattern, names);
     throw std::invalid_argument(
         fmt::format("{} is no stratum{}; tps vectors list shows them; block_time.graze is one, *.far are "
                     "those of all operations",
-                    printable(pattern), nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
+                    printable(*pattern), nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
   }
 }
 

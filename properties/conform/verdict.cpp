@@ -66,10 +66,17 @@ std::uint64_t Verdict::asked() const {
   return std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
 }
 
+namespace {
+
+bool names(const std::string& pattern, const Row& row) {
+  return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0;
+}
+
+}  // namespace
+
 bool Verdict::expected_to_fail(const Row& row) const {
-  return std::any_of(expected_failures.begin(), expected_failures.end(), [&](const std::string& pattern) {
-    return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0;
-  });
+  return std::any_of(expected_failures.begin(), expected_failures.end(),
+                     [&](const std::string& pattern) { return names(pattern, row); });
 }
 
 std::vector<const Row*> Verdict::failing() const {
@@ -81,15 +88,14 @@ std::vector<const Row*> Verdict::failing() const {
 }
 
 bool Verdict::has_row(const std::string& pattern) const {
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const Row& row) { return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0; });
+  return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return names(pattern, row); });
 }
 
 std::vector<std::string> Verdict::unexpected_passes() const {
   std::vector<std::string> found;
   for (const std::string& pattern : expected_failures) {
     const bool fails = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
-      return ::fnmatch(pattern.c_str(), row.name.c_str(), 0) == 0 && !profile.accepts(row);
+      return names(pattern, row) && !profile.accepts(row);
     });
     if (!fails) found.push_back(pattern);
   }

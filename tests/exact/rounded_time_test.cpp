@@ -83,21 +83,22 @@ TEST_P(TimeStrata, IsTheNearestDouble) {
   }
 }
 
+void expect_the_same_together(std::span<const TimingQuery> queries) {
+  std::vector<TimingAnswer> together(queries.size());
+  Counters together_counters, alone_counters;
+  rounded_times(queries, together, together_counters);
+  for (std::size_t n = 0; n < queries.size(); ++n) {
+    const TimingAnswer alone = rounded_time(queries[n], alone_counters);
+    ASSERT_EQ(together[n].verdict, alone.verdict) << strata::text(queries[n]);
+    ASSERT_EQ(together[n].t, alone.t) << strata::text(queries[n]);
+  }
+  EXPECT_EQ(counts(together_counters), counts(alone_counters));
+}
+
 // Fours of every beginning, so that each query is the first, second, third and fourth of four, or left over.
 TEST_P(TimeStrata, AreTheSameAskedTogether) {
   const std::span<const TimingQuery> queries = GetParam().queries;
-  for (std::size_t first = 0; first < 4; ++first) {
-    const std::span<const TimingQuery> asked = queries.subspan(first);
-    std::vector<TimingAnswer> together(asked.size());
-    Counters together_counters, alone_counters;
-    rounded_times(asked, together, together_counters);
-    for (std::size_t n = 0; n < asked.size(); ++n) {
-      const TimingAnswer alone = rounded_time(asked[n], alone_counters);
-      EXPECT_EQ(together[n].verdict, alone.verdict) << strata::text(asked[n]);
-      EXPECT_EQ(together[n].t, alone.t) << strata::text(asked[n]);
-    }
-    EXPECT_EQ(counts(together_counters), counts(alone_counters));
-  }
+  for (std::size_t first = 0; first < 4; ++first) expect_the_same_together(queries.subspan(first));
 }
 
 INSTANTIATE_TEST_SUITE_P(, TimeStrata, testing::ValuesIn(strata::all(20260102, 150)), strata::Name{});
@@ -199,15 +200,7 @@ TEST(RoundedTime, AskedTogetherTheyAreTheSameOfEverySort) {
     if (i % 100 == 7) queries.back().image = {1, 0, -1}, queries.back().edges = {20, 20, 20};
     if (i % 100 == 58) queries.back().kind = Kind::plane, queries.back().normal = {0, 0.6, 0.8};
   }
-  std::vector<TimingAnswer> together(queries.size());
-  Counters together_counters, alone_counters;
-  rounded_times(queries, together, together_counters);
-  for (std::size_t n = 0; n < queries.size(); ++n) {
-    const TimingAnswer alone = rounded_time(queries[n], alone_counters);
-    ASSERT_EQ(together[n].verdict, alone.verdict) << strata::text(queries[n]);
-    ASSERT_EQ(together[n].t, alone.t) << strata::text(queries[n]);
-  }
-  EXPECT_EQ(counts(together_counters), counts(alone_counters));
+  expect_the_same_together(queries);
 }
 
 TEST(RoundedTime, TheFastPathSettlesNearlyEverything) {

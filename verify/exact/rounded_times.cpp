@@ -71,17 +71,17 @@ void ask_four(const TimingQuery* queries, TimingAnswer* answers, Counters& count
 
 void rounded_times(std::span<const TimingQuery> queries, std::span<TimingAnswer> answers,
                    Counters& counters) {
+  const bool in_fours = has_registers_of_four();
   std::size_t n = 0;
-  if (has_registers_of_four()) {
-    for (; n + 4 <= queries.size(); n += 4) {
-      if (are_plain(&queries[n])) {
-        ask_four(&queries[n], &answers[n], counters);
-      } else {
-        for (std::size_t k = n; k < n + 4; ++k) answers[k] = rounded_time(queries[k], counters);
-      }
+  while (n < queries.size()) {
+    if (in_fours && n + 4 <= queries.size() && are_plain(&queries[n])) {
+      ask_four(&queries[n], &answers[n], counters);
+      n += 4;
+    } else {
+      answers[n] = rounded_time(queries[n], counters);
+      ++n;
     }
   }
-  for (; n < queries.size(); ++n) answers[n] = rounded_time(queries[n], counters);
 }
 
 }  // namespace tps::exact

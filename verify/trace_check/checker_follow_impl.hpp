@@ -103,10 +103,7 @@ void Checker<Number>::follow(const EventLine<Number>& event, const std::vector<i
   ++model_.kinds[static_cast<std::size_t>(event.kind)];
   const bool draws_unsaid =
       minimal_ && event.j >= 0 && is_collision(event.kind) && detail::is_matter_of_chance(model_, event);
-  if (event.draw || draws_unsaid) {
-    const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
-    ++model_.draws[{static_cast<int>(purpose), model_.id(event.i), model_.id(event.j)}];
-  }
+  if (event.draw || draws_unsaid) ++model_.draws[detail::draw_key(model_, event)];
   const Context<Number>& c = context_;
   const bool both_fixed = event.j >= 0 && model_.fixed(event.i) && model_.fixed(event.j);
   const bool loads = bodies_ && !both_fixed && is_collision(event.kind) && is_load(c, event, expected_) &&

@@ -127,13 +127,13 @@ void Checker<Number>::say_unknown(Kind kind) {
   for (const Rule rule : {Rule::order, Rule::impulse, Rule::earliest}) tally_.not_judged(rule, why);
 }
 
-/// Judges whether it was this event's turn, and whether that of anything known in advance had come before.
-/// The nodes of one restitution are one step.
 template <typename Number>
 bool Checker<Number>::is_now_by_rounding(const Instant<Number>& t) const {
   return minimal_ && t < model_.now && elapsed(t, model_.now) <= context_.time_error(model_.now);
 }
 
+/// Judges whether it was this event's turn, and whether that of anything known in advance had come before.
+/// The nodes of one restitution are one step.
 template <typename Number>
 void Checker<Number>::take_turn(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
@@ -207,13 +207,13 @@ void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<
 template <typename Number>
 void Checker<Number>::take(const EventLine<Number>& event) {
   const Context<Number>& c = context_;
-  if (ended_) {
-    tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
-  }
   if (is_now_by_rounding(event.t)) {
     EventLine<Number> at_once = event;
     at_once.t = model_.now;
     return take(at_once);
+  }
+  if (ended_) {
+    tally_.demand(Rule::end, false, [](Finding& f) { f.message = "an event behind the end of the trace"; });
   }
   model_.asked = event.t;
   arrival_.reset();

@@ -116,6 +116,7 @@ TraceFileHead read_head(std::string_view text, const std::string& file, const st
   const JsonValue* scene = root.find("scene");
   if (scene != nullptr) {
     head.scene = read_scene_value(*scene, file, "/scene");
+    head.has_another_scene = !scene_file.empty() && head.scene != read_scene_file(scene_file);
   } else if (!scene_file.empty()) {
     head.scene = read_scene_file(scene_file);
   } else {

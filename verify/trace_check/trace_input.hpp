@@ -21,7 +21,8 @@ struct TraceFileHead {
   int semantics = 0;      ///< 0: not said
   std::string positions;  ///< "lazy", "eager" or empty: not said
   bool own_draws = false;
-  bool checksum_holds = true;  ///< where it has one
+  bool checksum_holds = true;      ///< where it has one
+  bool has_another_scene = false;  ///< than the file that was given with it
 };
 
 /// Opens a trace and reads its header; then hands out the lines behind it, as text.

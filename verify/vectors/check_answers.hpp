@@ -21,9 +21,15 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
 /// not judged, but then t must be there.
 std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out);
 
+/// Why the state of next_event's "out" is not one of so many particles; nothing where it is, or is missing.
+std::optional<std::string> wrong_state(const Json& out, std::size_t particles);
+
 /// The "out" of next_event as a known answer has it: `positions` and `velocities`, a row a particle, in the
-/// order of ids. Throws std::invalid_argument, which says why, where the state is not one of so many
-/// particles.
-Json in_rows(Json out, std::size_t particles);
+/// order of ids. REQUIRES a state that is none wrong, or none.
+Json in_rows(Json out);
+
+/// Of an answer to a timing query.
+constexpr const char* kSaysNothing =
+    "out has neither verdict nor t; it must say what happens, with t null where nothing does";
 
 }  // namespace tps::vectors

@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "reference/run/run.hpp"
-#include "reference/scene/read_scene.hpp"
 #include "verify/trace_check/read_line.hpp"
 #include "verify/trace_check/trace_input.hpp"
 #include "verify/trace_check/wide.hpp"
@@ -88,7 +87,7 @@ Playback start_of(Scene scene) {
 Playback read_playback(const std::string& trace, const PlaybackOptions& options) {
   check::TraceInput input(trace, options.scene, options.stop);
   Playback playback = start_of(input.head().scene);
-  if (!options.scene.empty() && playback.scene != read_scene_file(options.scene))
+  if (input.head().has_another_scene)
     playback.notes.push_back("the trace has a scene of its own, which is not that of " + options.scene +
                              "; its own is shown");
   playback.scalar = input.head().scalar;

@@ -37,6 +37,13 @@ bool is_matter_of_chance(const Model<Number>& model, const EventLine<Number>& ev
          is_untethered(model, event) && has_room(model, event.i) && has_room(model, event.j);
 }
 
+/// What a draw at an event is for, and whose it is: under this key the model counts those that are used.
+template <typename Number>
+std::array<int, 3> draw_key(const Model<Number>& model, const EventLine<Number>& event) {
+  const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
+  return {static_cast<int>(purpose), model.id(event.i), model.id(event.j)};
+}
+
 /// The draw of our generator for the scene's seed, for what it is for (docs/decisions.md, N12).
 struct SeedsDraw {
   std::uint32_t used;  ///< draws for it so far
@@ -45,12 +52,11 @@ struct SeedsDraw {
 
 template <typename Number>
 SeedsDraw draw_of_seed(const Model<Number>& model, const EventLine<Number>& event) {
-  const Purpose purpose = event.kind == Kind::rebound ? Purpose::tether_form : Purpose::tether_break;
-  const std::int32_t i = model.id(event.i);
-  const std::int32_t j = model.id(event.j);
-  const auto before = model.draws.find({static_cast<int>(purpose), i, j});
+  const std::array<int, 3> key = draw_key(model, event);
+  const auto before = model.draws.find(key);
   const std::uint32_t used = before == model.draws.end() ? 0 : before->second;
-  return {used, uniform(model.scene.seed, purpose, static_cast<std::uint32_t>(i),
+  const auto& [purpose, i, j] = key;
+  return {used, uniform(model.scene.seed, static_cast<Purpose>(purpose), static_cast<std::uint32_t>(i),
                         static_cast<std::uint32_t>(j), used)};
 }
 
