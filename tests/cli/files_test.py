@@ -252,6 +252,21 @@ def refuse_a_locked_output_before_the_start(tps, failures):
             failures.expect(code == BAD_INPUT and not (folder / "made").exists(), f"a start that fails makes no {option}: {code}, {err}")
 
 
+def read_a_scene_beside_a_trace_once(tps, failures):
+    """It may come from a pipe."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        make_files(tps, folder)
+        end = '{"end":"max_events","events":0,"t":0}\n'
+        scene = json.loads((folder / "scene").read_text())
+        (folder / "own").write_text(json.dumps({"trace": 1, "form": "minimal", "scene": scene}) + "\n" + end)
+        (folder / "none").write_text('{"trace":1,"form":"minimal"}\n' + end)
+        for verb, trace in itertools.product(("check", "view -o page"), ("own", "none")):
+            command = f"cat scene | timeout 20 {tps} {verb} {trace} --scene /dev/stdin"
+            code, _, err = processes.run(["sh", "-c", command], cwd=scratch)
+            failures.expect(code == 0 and "not that of" not in err, f"{verb} {trace} with a scene from a pipe: {code}, {err}")
+
+
 def main():
     tps = os.path.abspath(sys.argv[1])
     failures = processes.Failures()
@@ -261,6 +276,7 @@ def main():
     exclude_two_writers(tps, failures)
     refuse_to_go_on_in_a_file_before_it_is_read(tps, failures)
     refuse_a_locked_output_before_the_start(tps, failures)
+    read_a_scene_beside_a_trace_once(tps, failures)
     return failures.conclude("files of a call")
 
 
