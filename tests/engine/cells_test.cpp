@@ -10,6 +10,7 @@
 #include "reference/engine/cells/particle_queue.hpp"
 #include "reference/engine/cells/region_grid.hpp"
 #include "reference/engine/cells/region_plan.hpp"
+#include "reference/engine/cells/region_width.hpp"
 #include "reference/scene/read_scene.hpp"
 
 namespace tps {
@@ -206,6 +207,55 @@ TEST(RegionPlan, WhatRoundingMovesByMoreThanTheMarginIsNotKept) {
   EXPECT_TRUE(RegionPlan::of<float>(scene, {}).keeps(100, 1, 1, 1));
   EXPECT_FALSE(RegionPlan::of<float>(scene, {}).keeps(100, 1, 100, 1));
   EXPECT_FALSE(RegionPlan::of<double>(scene, {}).keeps(1, 1, 1, 1e40));
+}
+
+Scene two_in_a_box() {
+  return read_scene_text(
+      R"({"tps":1,"dimension":2,"duration":1,"species":{"p":{"mass":1,"radius":0.5}},
+          "box":{"periodic":[100,40]},"pairs":[{"between":["p","p"],"blocking":{"c_rebound":1}}],
+          "particles":[{"id":0,"species":"p","position":[0,0],"velocity":[0,0]},
+                       {"id":1,"species":"p","position":[2,0],"velocity":[0,0]}]})",
+      "test");
+}
+
+TEST(RegionPlan, RegionsGrowAsLongAsABoxHasRoomAndShrinkToWhatTheyWere) {
+  const Scene scene = two_in_a_box();
+  RegionPlan plan = RegionPlan::of<double>(scene, {});
+  const RegionLevel before = plan.levels()[0];
+  const double room = plan.longest_roam(*scene.box, 2);
+  int grown = 0;
+  while (plan.widen(0, scene.box, 2)) ++grown;
+  EXPECT_EQ(grown, 3);  // .52 · 2³ < 19 / 3 · 63 / 64
+  EXPECT_EQ(plan.levels()[0].side, 8 * before.side);
+  EXPECT_GT(plan.longest_roam(*scene.box, 2), room / 3);
+  while (plan.narrow(0)) --grown;
+  EXPECT_EQ(grown, 0);
+  EXPECT_EQ(plan.levels()[0].side, before.side);
+  EXPECT_EQ(plan.levels()[0].shift, before.shift);
+  EXPECT_EQ(plan.levels()[0].regions_within_reach, before.regions_within_reach);
+  for (grown = 0; plan.widen(0, {}, 2); ++grown) ASSERT_LT(grown, 64);
+}
+
+TEST(RegionWidths, GrowWhereManyCrossAndFewAreFoundAndShrinkWhereManyAre) {
+  using Advice = RegionWidths::Advice;
+  const auto advice = [](int crossings_per_touch, std::size_t found) {
+    RegionWidths widths;
+    widths.reset(10);
+    for (int n = 0; n < 10000; ++n) {
+      for (int k = 0; k < crossings_per_touch; ++k) {
+        const Advice crossed = widths.crossed(0, found);
+        if (crossed != Advice::keep) return crossed;
+      }
+      const Advice touched = widths.touched(0, found);
+      if (touched != Advice::keep) return touched;
+    }
+    return Advice::keep;
+  };
+  EXPECT_EQ(advice(100, 1), Advice::widen);
+  EXPECT_EQ(advice(100, 30), Advice::keep);
+  EXPECT_EQ(advice(2, 1), Advice::keep);
+  EXPECT_EQ(advice(2, 30), Advice::keep);
+  EXPECT_EQ(advice(0, 100), Advice::narrow);
 }
 
 }  // namespace

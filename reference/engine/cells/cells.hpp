@@ -10,6 +10,7 @@
 #include "reference/engine/cells/outlook.hpp"
 #include "reference/engine/cells/pair_events.hpp"
 #include "reference/engine/cells/particle_queue.hpp"
+#include "reference/engine/cells/region_width.hpp"
 #include "reference/engine/detector.hpp"
 #include "reference/engine/pair_predictor.hpp"
 
@@ -47,8 +48,11 @@ class Cells final : public Detector<Scalar, D> {
     neighbours_.clear();
     ends_.clear();
     for (const int i : touched) {
+      const std::size_t before = neighbours_.size();
       neighbourhood_.around(world, i, {}, neighbours_);
       ends_.push_back(neighbours_.size());
+      if (widths_.narrow_where_many_are_found(neighbourhood_, world, i, ends_.back() - before))
+        return start(world, false);
     }
     std::size_t n = 0;
     for (std::size_t k = 0; k < touched.size(); ++k) {
@@ -92,6 +96,7 @@ class Cells final : public Detector<Scalar, D> {
     neighbourhood_.place_all(world, everywhere);
     outlooks_.assign(world.particles.size(), {});
     queue_.reset(world.particles.size());
+    widths_.reset(world.particles.size());
     everyone_knows_all_ = everywhere;
     looks_since_event_ = 0;
     asked_at_ = world.now;
@@ -171,8 +176,10 @@ class Cells final : public Detector<Scalar, D> {
     const std::optional<Region<D>> left = neighbourhood_.move(world, i, t);
     asked_at_ = t;
     set_look(world, i, t);
+    const std::vector<int>& met = around(world, i, left);
+    if (widths_.widen_where_all_cross(neighbourhood_, world, i, met.size())) return start(world, false);
     const Asker asker = predictor_.asker(world, i, time_of_asking(world));
-    for (const int j : around(world, i, left)) foresee(asker, i, j);
+    for (const int j : met) foresee(asker, i, j);
     take_up_foreseen(world);
     schedule(i);
   }
@@ -295,6 +302,7 @@ class Cells final : public Detector<Scalar, D> {
 
   PairPredictor<Scalar, D> predictor_;
   Neighbourhood<Scalar, D> neighbourhood_;
+  RegionWidths widths_;
   ParticleQueue<Scalar> queue_;
   LargeVector<Outlook<Scalar>> outlooks_;
   std::vector<Foreseen<Scalar>> foreseen_;  ///< to be taken up

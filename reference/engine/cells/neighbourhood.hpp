@@ -22,9 +22,8 @@ class Neighbourhood {
  public:
   explicit Neighbourhood(const World<Scalar, D>& world, const TimingChoice& timing)
       : plan_(RegionPlan::of<Scalar>(world.scene, timing)) {
-    if (!world.scene.box) return;
-    wraps_.assign(world.particles.size(), {});
-    longest_roam_ = plan_.longest_roam(*world.scene.box, D);
+    if (world.scene.box) wraps_.assign(world.particles.size(), {});
+    bound_roaming(world);
   }
 
   /// Files every particle at its place now; with `everywhere` it is visited by all, wherever it is.
@@ -56,6 +55,19 @@ class Neighbourhood {
       }
       grids_[level].build(kept, plan_.levels()[level].shift, filed_);
     }
+  }
+
+  /// Makes the regions of a level twice as wide, or takes that back. @return whether it did: then everyone is
+  /// to be filed anew.
+  bool widen(const World<Scalar, D>& world, int level) {
+    if (!plan_.widen(level, world.scene.box, D)) return false;
+    bound_roaming(world);
+    return true;
+  }
+  bool narrow(const World<Scalar, D>& world, int level) {
+    if (!plan_.narrow(level)) return false;
+    bound_roaming(world);
+    return true;
   }
 
   /// Asks memory for where a particle is filed.
@@ -100,6 +112,7 @@ class Neighbourhood {
     roam(i);
   }
 
+  int level_of(const World<Scalar, D>& world, int i) const { return plan_.level(world.species(i)); }
   bool has_level(const World<Scalar, D>& world, int i) const {
     return level_of(world, i) != RegionPlan::kNone;
   }
@@ -196,7 +209,10 @@ class Neighbourhood {
   using Wraps = std::array<double, kAxes>;  ///< edges by which a place is off the box
 
   static constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-  int level_of(const World<Scalar, D>& world, int i) const { return plan_.level(world.species(i)); }
+
+  void bound_roaming(const World<Scalar, D>& world) {
+    if (world.scene.box) longest_roam_ = plan_.longest_roam(*world.scene.box, D);
+  }
 
   void roam(int i) {
     roams_[at(i)] = true;

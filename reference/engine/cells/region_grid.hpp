@@ -51,7 +51,7 @@ class RegionGrid {
  public:
   /// Puts the particles into buckets, as many as there are particles or fewer, shaped as they lie.
   void build(const std::vector<int>& members, int shift, FiledRegions<D>& filed) {
-    shift_ = shift;
+    shift_ = std::max(0, shift);
     members_ = members.size();
     Region<D> low{};
     Region<D> high{};

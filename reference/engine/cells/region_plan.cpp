@@ -10,6 +10,8 @@ namespace {
 
 /// Species of one level differ in size by no more than this factor.
 constexpr double kSpread = 1.5;
+/// Regions a million times as wide hold whoever flies that far.
+constexpr int kMostDoublings = 20;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The distances of a scene, species by species; kInfinity where there is no law or nobody to follow it.
@@ -113,7 +115,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       const double side = (std::max(partner, level_size / 16) + 3 * margin_) / regions;
       const double bucket = level_size + 3 * margin_;
       const int shift = static_cast<int>(std::floor(std::log2(bucket / side) + 0.5));
-      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift), 0});
+      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift), 0, 0});
     }
     level_of_[a] = static_cast<int>(levels_.size()) - 1;
   }
@@ -124,7 +126,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
     for (std::size_t b = 0; b < n; ++b) radius = std::min(radius, d.tethering[a * n + b]);
     if (level_of_[a] != kNone || !(radius < kInfinity)) continue;
     level_of_[a] = static_cast<int>(levels_.size());
-    levels_.push_back({radius / 16, 0, 0});
+    levels_.push_back({radius / 16, 0, 0, 0});
   }
 
   reach_.assign(n * levels_.size(), -1);
@@ -140,12 +142,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       reach = std::max(reach, d.free(a, b) + 3 * margin_);
     }
   }
-  for (std::size_t a = 0; a < n; ++a) {
-    if (level_of_[a] == kNone || reach(static_cast<int>(a), level_of_[a]) < 0) continue;
-    RegionLevel& level = levels_[static_cast<std::size_t>(level_of_[a])];
-    const double own = reach(static_cast<int>(a), level_of_[a]);
-    level.regions_within_reach = std::max(level.regions_within_reach, static_cast<int>(own / level.side) + 1);
-  }
+  count_regions_within_reach();
   known_ = reach_;
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = 0; b < n; ++b) {
@@ -155,6 +152,45 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       known = std::min(known, other - margin_ / 2);
     }
   }
+}
+
+void RegionPlan::count_regions_within_reach() {
+  for (RegionLevel& level : levels_) level.regions_within_reach = 0;
+  for (std::size_t a = 0; a < level_of_.size(); ++a) {
+    if (level_of_[a] == kNone) continue;
+    const double own = reach(static_cast<int>(a), level_of_[a]);
+    if (own < 0) continue;
+    RegionLevel& level = levels_[at(level_of_[a])];
+    level.regions_within_reach = std::max(level.regions_within_reach, static_cast<int>(own / level.side) + 1);
+  }
+}
+
+bool RegionPlan::widen(int level, const std::optional<PeriodicEdges>& box, int dimension) {
+  RegionLevel& widened = levels_[at(level)];
+  if (widened.doublings == kMostDoublings) return false;
+  if (box) {
+    const double side = widened.side;
+    const double room = spare_room(*box, dimension);
+    widened.side = 2 * side;
+    const double left = spare_room(*box, dimension);
+    widened.side = side;
+    if (!(left > room / 2)) return false;
+  }
+  widened.side *= 2;
+  --widened.shift;
+  ++widened.doublings;
+  count_regions_within_reach();
+  return true;
+}
+
+bool RegionPlan::narrow(int level) {
+  RegionLevel& narrowed = levels_[at(level)];
+  if (narrowed.doublings == 0) return false;
+  narrowed.side /= 2;
+  ++narrowed.shift;
+  --narrowed.doublings;
+  count_regions_within_reach();
+  return true;
 }
 
 double RegionPlan::spare_room(const PeriodicEdges& box, int dimension) const {

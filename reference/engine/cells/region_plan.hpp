@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "reference/engine/laws.hpp"
@@ -17,8 +18,9 @@ namespace tps {
 /// Species of similar size. A region is a cube of the lattice of its level.
 struct RegionLevel {
   double side;               ///< of a region
-  int shift;                 ///< a bucket of the grid is 2^shift regions wide
+  int shift;                 ///< a bucket of the grid is 2^shift regions wide, one at least
   int regions_within_reach;  ///< of its own, to either side, at most
+  int doublings = 0;         ///< of the side since the plan was made
 };
 
 /// Margins, levels and reaches of a scene, in double whatever the scalar (docs/scale.md derives them).
@@ -80,6 +82,14 @@ class RegionPlan {
   /// no image but the one that was nearest (docs/effects.md, "Periodic box"). False where there are no
   /// regions.
   bool fits_into(const PeriodicEdges& box, int dimension) const;
+
+  /// Makes a level's regions twice as wide, where the particles are few and fly far; what is proven of
+  /// regions holds for any width. @return false, and does nothing, where they are as wide as they may
+  /// get: in a periodic box the room that a pair has for its nearest image is not halved.
+  bool widen(int level, const std::optional<PeriodicEdges>& box, int dimension);
+  /// Takes a widening back. @return false where there was none.
+  bool narrow(int level);
+
   /// How far along an axis a particle that no region keeps may fly before it is asked for its images again.
   /// REQUIRES fits_into().
   double longest_roam(const PeriodicEdges& box, int dimension) const {
@@ -102,6 +112,7 @@ class RegionPlan {
   RegionPlan(const Scene& scene, double u, double largest, double smallest, bool literal);
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+  void count_regions_within_reach();
   /// W/2 − L less what two particles in their regions can move relative to each other.
   double spare_room(const PeriodicEdges& box, int dimension) const;
 
