@@ -52,7 +52,7 @@ class EventBatchesTest : public ::testing::Test {
 };
 
 TEST_F(EventBatchesTest, AreWrittenInTheOrderInWhichTheyCame) {
-  constexpr std::uint64_t kEvents = 20'000;  // of several times as many batches as there are
+  constexpr std::uint64_t kEvents = 6000;  // of six times as many batches as there are
   std::string expected;
   const std::string trace = written([&](EventBatches<double, 2>& batches) {
     for (std::uint64_t k = 1; k <= kEvents; ++k) {

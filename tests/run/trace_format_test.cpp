@@ -49,8 +49,8 @@ TEST(TraceSchema, AcceptsWhatRunsWrite) {
   std::string kinds;
   for (const Scene& scene :
        {terminal, breaking, build_ring({}), build_pair({}), build_two_anchors({.grouped = .01})}) {
-    for (const char* scalar : {"double", "mp50"}) {
-      RunOptions options = options_for(scalar, 300);
+    for (const auto& [scalar, events] : {std::pair("double", 300), std::pair("mp50", 60)}) {
+      RunOptions options = options_for(scalar, static_cast<std::uint64_t>(events));
       options.state_every = 5;
       const TracedRun run = traced(scene, options);
       EXPECT_EQ(validate(scratch("trace.ndjson")), 0) << scene.title << ' ' << scalar;
