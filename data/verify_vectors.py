@@ -183,7 +183,19 @@ def check_next_event(case):
     check_results(case, {"dt": [dt], "positions": sum(u, []), "velocities": sum(v, [])}, rational=False)
 
 
+HEADER = {"schema", "version", "semantics", "op", "stratum", "why", "generator", "seed", "first", "count"}
+# What a case may have beside its question and its answer; and the keys of answers. What is stored and not proven is believed by nobody.
+FORM = {"id", "rev", "in", "tags", "twin", "level", "accept", "why"}
+PROVEN = {"time": {"verdict", "t", "nearest", "proof", "cond"}, "order": {"order", "proof"},
+          "next_event": {"kind", "i", "j", "out", "nearest", "cond"}, "response": {"kind", "also", "out", "nearest", "cond"}}
+
+
 def check(case, op):
+    kind = "time" if op.endswith("_time") else op if op in PROVEN else "response"
+    unknown = set(case) - FORM - PROVEN[kind]
+    claim(not unknown, f"no keys of this case: {', '.join(sorted(unknown))}")
+    claim("rev" not in case or type(case["rev"]) is int and case["rev"] >= 1, "rev")
+    claim("level" not in case or case["level"] in (1, 2, 3), "level")
     check_question(op, case["in"])
     if op == "drag_time":
         return check_drag(case)
@@ -205,6 +217,7 @@ def check_file(name, lines):
         try:
             case = json.loads(line)
             if "schema" in case:  # files may follow one another
+                claim(set(case) <= HEADER, f"no keys of a header: {', '.join(sorted(set(case) - HEADER))}")
                 claim(header is None or count == header["count"], f"{count} cases where the header says {header and header['count']}")
                 header, count = case, 0
                 continue

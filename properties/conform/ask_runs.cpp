@@ -57,7 +57,7 @@ class Runs {
         fmt::format("scene {} of seed {}", number, plan_.seed),
         std::move(why),
         {fmt::format("tps scene random --seed {} --number {}{} -o scene.json", plan_.seed, number, features)},
-        fmt::format("{{\"scene\":{}}}", write_scene(scene, SceneStyle::compact))};
+        fmt::format("{{\"scene\":{}}}", text_of_random(scene, SceneStyle::compact))};
     const std::string again = plan_.source.command_for_scene(scene);
     if (!again.empty()) made.commands.push_back(again);
     return made;

@@ -37,7 +37,7 @@ struct Step {
 };
 
 Json without_duration(const Scene& scene) {
-  Json json = Json::parse(write_scene(scene, SceneStyle::compact));
+  Json json = Json::parse(text_of_random(scene, SceneStyle::compact));
   json["duration"] = kForEver;
   json.erase("start_time");
   return json;
@@ -51,6 +51,11 @@ const Json* state_of(const Json& event, const Json& id) {
     if (each.is_object() && each.value("id", Json()) == id) return &each;
   }
   return nullptr;
+}
+
+/// Zeros where the scene leaves it out.
+Json velocity_of(const Json& particle) {
+  return particle.value("velocity", Json(std::vector<double>(particle.at("position").size(), 0)));
 }
 
 /// The scene after the event.
@@ -97,7 +102,7 @@ std::optional<std::string> wrong_bystander(const Json& particle, const Json& out
   const Json& id = particle.at("id");
   const Json* state = state_of(out, id);
   if (state == nullptr) return fmt::format("the state has no particle {}", json_text(id));
-  const auto before = numbers_of(particle.at("position")), v = numbers_of(particle.at("velocity"));
+  const auto before = numbers_of(particle.at("position")), v = numbers_of(velocity_of(particle));
   const auto after = numbers_of(state->value("position", Json()));
   const auto v_after = numbers_of(state->value("velocity", Json()));
   if (!after || after->size() != before->size()) return fmt::format("particle {} is nowhere", json_text(id));

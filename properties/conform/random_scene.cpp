@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -14,12 +15,18 @@
 #include "properties/runs/contact_scenes.hpp"
 #include "reference/run/run.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/certified/exact_timing.hpp"
 
 namespace tps::properties::conform {
 namespace {
 
 constexpr const char* kContacts = "contacts";
+/// One scene of so many has ids, distances and tethers that the generator of run laws gives none: what is no
+/// matter to the physics, but to who reads a scene.
+constexpr std::uint64_t kToldOtherwise = 5;
+/// Ends the titles of scenes whose text leaves out what has a default.
+constexpr const char* kTerse = ", defaults left out";
 /// No scene has both.
 constexpr std::array<std::pair<const char*, const char*>, 2> kOpposites{
     {{"2d", "3d"}, {"groups", "no-groups"}}};
@@ -148,6 +155,26 @@ void check_features(const std::vector<std::string>& words) {
   }
 }
 
+std::string text_of_random(const Scene& scene, SceneStyle style) {
+  const std::string text = write_scene(scene, style);
+  if (!scene.title.ends_with(kTerse)) return text;
+  Json json = Json::parse(text);
+  for (std::size_t n = 0; n < scene.particles.size(); ++n) {
+    if (scene.particles[n].velocity == Coordinates{}) json["particles"][n].erase("velocity");
+  }
+  for (std::size_t n = 0; n < scene.pairs.size(); ++n) {
+    const PairLaw& law = scene.pairs[n];
+    const double R_a = scene.species[static_cast<std::size_t>(law.species_a)].radius;
+    const double R_b = scene.species[static_cast<std::size_t>(law.species_b)].radius;
+    if (law.blocking && law.blocking->distance == R_a + R_b) json["pairs"][n]["blocking"].erase("distance");
+    if (!law.tethering) continue;
+    Json& tethering = json["pairs"][n]["tethering"];
+    if (tethering["form"] == "always") tethering.erase("form");
+    if (tethering["break"] == "never") tethering.erase("break");
+  }
+  return style == SceneStyle::compact ? json_text(json) : json.dump(2) + "\n";
+}
+
 std::optional<Scene> random_scene(const std::vector<std::string>& features, std::uint64_t seed,
                                   std::uint64_t number) {
   Wishes wanted;
@@ -156,10 +183,16 @@ std::optional<Scene> random_scene(const std::vector<std::string>& features, std:
   rc::Random choices(rc::Random::Key{seed, number, 0x76617279U, 0});
   const auto generator = wanted.contacts ? runs::touching_pairs(wanted.dimension) : runs::small_scene(wanted);
   Scene scene = generator(stream, kSize).value().scene;
-  scene.title = fmt::format("random scene {} of seed {}", number, seed);
+  const bool otherwise = number % kToldOtherwise == 1;
+  rc::Random others(rc::Random::Key{seed, number, 0x6f74686572U, 0});
+  scene.title = fmt::format("random scene {} of seed {}{}", number, seed,
+                            otherwise && once_in(2, others) ? kTerse : "");
   try {
     scene = with_start_time(untethered(std::move(scene), wanted, choices), wanted, choices);
-    return shortened(with_near_threshold(std::move(scene), wanted, choices));
+    if (otherwise && !wanted.contacts) scene = with_other_limits(std::move(scene), wanted, others);
+    scene = with_near_threshold(std::move(scene), wanted, choices);
+    if (otherwise) scene = with_other_ids(std::move(scene), others);
+    return shortened(std::move(scene));
   } catch (const InputError&) {
     return std::nullopt;  // not in the range of double
   }

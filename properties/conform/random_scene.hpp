@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/scene/scene.hpp"
+#include "reference/scene/write_scene.hpp"
 
 namespace tps::properties::conform {
 
@@ -25,5 +26,9 @@ void check_features(const std::vector<std::string>& words);
 /// range. REQUIRES check_features().
 std::optional<Scene> random_scene(const std::vector<std::string>& features, std::uint64_t seed,
                                   std::uint64_t number);
+
+/// As a program is given it. One scene in ten leaves out what has a default: velocities of zero, distances of
+/// the radii, rules for tethers. Law: (1) read_scene_text of it is the scene.
+std::string text_of_random(const Scene& scene, SceneStyle style = SceneStyle::pretty);
 
 }  // namespace tps::properties::conform

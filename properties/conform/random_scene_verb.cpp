@@ -36,7 +36,7 @@ void write_random_scene(const RandomSceneArguments& a) {
         fmt::format("scene {} of seed {} collapses or leaves the range of double; take another number",
                     a.number, a.seed));
   }
-  write_result(a.output, write_scene(*scene));
+  write_result(a.output, text_of_random(*scene));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
   const std::string command = fmt::format("{}", fmt::join(words, " "));
   return {command,
           [words, timeout](const Scene& scene) {
-            const runs::ScratchFile file(write_scene(scene));
+            const runs::ScratchFile file(text_of_random(scene));
             std::vector<std::string> whole = words;
             whole.push_back(file.path());
             return run(whole, timeout);
@@ -87,9 +87,9 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 
 RunSource operation_runs(Implementation& subject, std::function<std::string(const Question&)> command_of) {
   const auto question = [](const Scene& scene) {
-    return Question{
-        kSimulate,
-        {{"scene", Json::parse(write_scene(scene, SceneStyle::compact))}, {"max_events", kMostEventsOfARun}}};
+    return Question{kSimulate,
+                    {{"scene", Json::parse(text_of_random(scene, SceneStyle::compact))},
+                     {"max_events", kMostEventsOfARun}}};
   };
   return {subject.name(),
           [&subject, question](const Scene& scene) {

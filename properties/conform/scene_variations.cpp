@@ -11,14 +11,13 @@
 #include "properties/runs/scratch_file.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/pair_law.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "reference/scene/write_scene.hpp"
+#include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {
 namespace {
-
-bool once_in(std::uint64_t many, rc::Random& stream) {
-  return stream.next() % many == 0;
-}
 
 template <typename Item>
 const Item& one_of(const std::vector<Item>& items, rc::Random& stream) {
@@ -71,6 +70,10 @@ std::vector<double> records(const std::vector<double>& sizes) {
 
 }  // namespace
 
+bool once_in(std::uint64_t many, rc::Random& stream) {
+  return stream.next() % many == 0;
+}
+
 Scene untethered(Scene scene, const Wishes& wanted, rc::Random& stream) {
   if (!wanted.changing_tethers || !once_in(2, stream)) return scene;
   bool any = false;
@@ -107,6 +110,42 @@ Scene with_near_threshold(Scene scene, const Wishes& wanted, rc::Random& stream)
   rule.threshold = size * (once_in(2, stream) ? 1.01 : 0.99);
   unbroken.pairs[law].tethering->breaks = rule;
   return unbroken;
+}
+
+Scene with_other_limits(Scene scene, const Wishes& wanted, rc::Random& stream) {
+  const double factor = one_of<double>({1, 1, 0.25, 0.5, 2}, stream);
+  for (Species& species : scene.species) species.radius *= factor;
+  if (!wanted.tethers) return scene;
+  for (std::size_t n = 0; n < scene.pairs.size(); ++n) {
+    if (!can_form(scene.pairs[n])) continue;
+    Scene tied = scene;
+    PairLaw& law = tied.pairs[n];
+    law.tethering->form = {FormRule::When::permanent, 1};
+    law.tethering->breaks = {};
+    const auto is_of = [&law](int a, int b) {
+      return std::minmax(a, b) == std::minmax(law.species_a, law.species_b);
+    };
+    std::erase_if(tied.tethers, [&](const Tether& tether) {
+      const auto species = [&](int i) { return tied.particles[static_cast<std::size_t>(i)].species; };
+      return is_of(species(tether.i), species(tether.j));
+    });
+    std::erase_if(tied.phases, [&](const Phase& phase) { return is_of(phase.species_a, phase.species_b); });
+    try {
+      scene = read_scene_text(write_scene(tied), "tied for ever");
+    } catch (const InputError&) {
+      continue;  // somebody starts too far away
+    }
+  }
+  return scene;
+}
+
+Scene with_other_ids(Scene scene, rc::Random& stream) {
+  std::vector<std::int32_t> ids;
+  for (std::size_t n = 0; n < scene.particles.size(); ++n)
+    ids.push_back(static_cast<std::int32_t>(3 * n + 2));
+  for (std::size_t n = ids.size(); n > 1; --n) std::swap(ids[n - 1], ids[stream.next() % n]);
+  for (std::size_t n = 0; n < ids.size(); ++n) scene.particles[n].id = ids[n];
+  return read_scene_text(write_scene(scene), "renamed");
 }
 
 Scene with_start_time(Scene scene, const Wishes& wanted, rc::Random& stream) {

@@ -5,6 +5,8 @@ import sys
 import processes
 
 REFUSED = [
+    (["--versoin"], ["tps: there is no option --versoin; tps --help lists what there is"]),
+    (["runn"], ["tps: there is no runn; did you mean run? There are ", "explain", "scene"]),
     (["nosuch"], ["tps: there is no nosuch; there are ", "run", "explain", "scene"]),
     (["scene", "nosuch", "--particles", "3"], ["tps scene: there is no nosuch; there are ", "terminal", "random"]),
     (["vectors", "nosuch"], ["tps vectors: there is no nosuch; there are ", "generate", "verify"]),

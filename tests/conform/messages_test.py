@@ -100,7 +100,7 @@ class States(unittest.TestCase):
                 code, found, err = conform("--tags", "next_event.gas,next_event.step_rebound", "--", sys.executable, "-B", str(path))
                 self.assertEqual(code, 1, f"{change}\n{found}{err}")
                 self.assertIn(said, found, change)
-                self.assertRegex(found, r"32 of 32: gas 10, step_rebound 22|22 of 32: gas 10, step_rebound 12", change)
+                self.assertRegex(found, r"35 of 35: gas 10, step_rebound 25|25 of 35: gas 10, step_rebound 15", change)
 
 
 class Hello(unittest.TestCase):

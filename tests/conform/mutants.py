@@ -157,6 +157,21 @@ for size, level in (("1e-3", "1"), ("1e-6", "2"), ("1e-10", "2")):
                "order", level=level),
         Mutant(f"clock_ends_{size}_early", E, "if gamma * s >= 1:", f"if gamma * s >= 1 - {size}:", "drag_time", level=level),
     ]
+# What a family of questions of its own asks: a pull from the centre, hardly any restitution, motion all but along the axis, components of
+# very different sizes, a container in a group.
+DROPPED = "dp = [*dp[:2], 0.0] if len(dp) == 3 and abs(dp[2]) < 1e-3 * abs(dp[0]) else dp\n    "
+WRONG += [
+    Mutant("taut_at_the_centre", T, "    if c >= 0 and h >= 0:", '    if query["u_A"] == query["u_B"]:\n        return {"verdict": "taut", "t": 0}\n    if c >= 0 and h >= 0:',
+           "tether_time"),
+    Mutant("never_from_the_centre", T, "    t = (block_time", '    if query["u_A"] == query["u_B"]:\n        return math.inf\n    t = (block_time', "order"),
+    Mutant("all_but_along_is_along", R, "if across == 0 or", "if across < 1e-3 * abs(v_n) or", "tether_response"),
+    Mutant("all_but_plastic_is_plastic", R, "(1 + c) * reduced", "(1 + (0 if c < 1e-9 else c)) * reduced", "collision_impulse", level="2"),
+    Mutant("hardly_revolves_is_at_rest", R, REVOLVED, "c_revolve = 0 if c_revolve < 1e-9 else c_revolve; " + REVOLVED, "revolution_impulse", level="2"),
+    Mutant("small_component_dropped", R, 'return {"v_A": [v + p', DROPPED + 'return {"v_A": [v + p', "apply_impulse", level="2"),
+    Mutant("small_component_not_restituted", R, 'return {"dp_AB"', DROPPED + 'return {"dp_AB"', "restitution_impulse", level="2"),
+    Mutant("twice_at_a_container", G, "    return (tether_response", "    if limit == \"outer\" and math.inf in (m[i], m[j]):\n        return [2 * x for x in tether_response(**pair, **coefficients)[\"dp\"]]\n    return (tether_response",
+           "group"),
+]
 WRONG.append(Mutant("almost_elastic_is_elastic", R, "(1 + c) * reduced", "(1 + (1 if c > 0.99 else c)) * reduced", "collision_impulse"))
 
 # Right, but by other words or not the same bits.

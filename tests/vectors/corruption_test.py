@@ -53,6 +53,14 @@ def corruptions(case):
     for key in ("i", "j"):
         if key in case:
             yield broken(lambda c: c.update({key: c[key] + 1}))
+    yield broken(lambda c: c.update(accpet=["R"]))
+    yield broken(lambda c: c.update(rev=-1))
+    yield broken(lambda c: c.update(level=7))
+    if "out" in case:
+        forged = {key: case[key] for key in ("kind", "out", "nearest") if key in case}
+        yield broken(lambda c: c.update(also=c.get("also", []) + [forged]))
+        yield broken(lambda c: c.update(also="x"))
+        yield broken(lambda c: c.update(also=[1]))
     if "kind" in case and "also" not in case:
         yield broken(lambda c: c.update(kind=swapped(c["kind"], ["sticks", "slides"] if case["kind"] in ("sticks", "slides") else ["retract", "revolve"])))
 

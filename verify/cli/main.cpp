@@ -17,6 +17,7 @@
 #include "reference/process/missing_library.hpp"
 #include "reference/run/run.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/nearest_name.hpp"
 #include "reference/text/output.hpp"
 #include "reference/text/printable.hpp"
 #include "reference/version.hpp"
@@ -80,17 +81,24 @@ int report(const char* what, int exit_code) {
   return exit_code;
 }
 
-/// The word that stands where a verb has to, and is none; empty where the mistake is another.
+/// What is wrong with the word that stands where a verb has to, and is none; empty where the mistake is
+/// another.
 std::string unknown_verb(const CLI::App& app) {
   const CLI::App* asked = &app;
   while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
   const std::vector<std::string> words = asked->remaining();
-  if (asked->get_require_subcommand_min() == 0 || words.empty() || words.front().starts_with('-')) return {};
+  if (asked->get_require_subcommand_min() == 0 || words.empty()) return {};
+  const std::string& word = words.front();
+  const std::string of = asked == &app ? "" : "tps " + asked->get_name() + ": ";
+  if (word.starts_with('-'))
+    return fmt::format("{}there is no option {}; tps {}--help lists what there is", of, word,
+                       asked == &app ? "" : asked->get_name() + " ");
   std::vector<std::string> known;
   for (const CLI::App* verb : asked->get_subcommands([](const CLI::App*) { return true; }))
     known.push_back(verb->get_name());
-  return fmt::format("{}: there is no {}; there are {}", asked == &app ? "tps" : "tps " + asked->get_name(),
-                     words.front(), fmt::join(known, ", "));
+  const std::string hint = tps::did_you_mean(word, known);
+  return fmt::format("{}there is no {}{} {}", of, word, hint == "." ? "; there are" : hint + " There are",
+                     fmt::join(known, ", "));
 }
 
 /// What CLI11 says: help and the like on standard output, errors of usage on the other.

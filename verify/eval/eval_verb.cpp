@@ -24,7 +24,7 @@ std::string eval_footer() {
                    fmt::join(o.keys, " "));
   }
   text +=
-      "With --in alone (order also takes words such as first.kind=block first.u_A=0,0), in no --scalar:\n";
+      "Without --scalar, by --in (order also by words such as first.kind=block first.u_A=0,0):\n";
   for (const protocol::Compound& c : protocol::compounds()) {
     fmt::format_to(std::back_inserter(text), "  {:<19} {}, {}: {}\n", c.name, c.precision, c.what, c.input);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "reference/text/json_number.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/number_text.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/text/text_file.hpp"
 
 namespace tps::eval {
@@ -198,7 +200,11 @@ TypedNumber typed_number(const std::string& text) {
   const char* end = text.data() + text.size();
   double value = 0;
   const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) return {{}, "is outside the range of double"};
+  if (error == std::errc::result_out_of_range) {
+    const double nearest = std::strtod(begin, nullptr);  // 0 or a subnormal number is one; infinity is none
+    return std::isfinite(nearest) ? TypedNumber{nearest, ""}
+                                  : TypedNumber{{}, "is outside the range of double"};
+  }
   if (error != std::errc() || rest != end || std::isnan(value)) {
     return {{}, "is not a number; write a decimal, a hexadecimal float or inf"};
   }
@@ -217,6 +223,24 @@ std::optional<std::vector<double>> json_numbers(const JsonValue& value) {
   return numbers;
 }
 
+/// What of a value is no number: the value itself, or the first of its components that is none.
+std::string why_no_numbers(const JsonValue& value) {
+  const JsonValue* bad = &value;
+  std::string which;
+  if (value.array() != nullptr) {
+    const auto found = std::find_if(value.array()->begin(), value.array()->end(),
+                                    [](const JsonValue& x) { return !json_number(x).has_value(); });
+    bad = &*found;
+    which = fmt::format("component {} ", found - value.array()->begin());
+  }
+  if (bad->string() == nullptr)
+    return which + (which.empty() ? "is none of what is read" : "is no number; allowed");
+  const std::string& text = *bad->string();
+  const bool is_hex = parse_hex_float(text).verdict == HexFloat::Verdict::not_a_double;
+  return fmt::format("{}is \"{}\", {}; allowed", which, printable(text, 60),
+                     is_hex ? "a number that no double has" : "which is no hexadecimal float");
+}
+
 Input read_members(Reader reader, const JsonValue& object, const std::string& place,
                    std::string_view other_key) {
   if (object.object() == nullptr) {
@@ -231,7 +255,8 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
     } else if (reader.known(member.key, member.key_line, pointer)) {
       reader.problem(
           member.value.line, pointer,
-          "must be a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
+          why_no_numbers(member.value) +
+              ": a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
       reader.unreadable(member.key);
     }
   }

@@ -72,6 +72,10 @@ std::optional<Failure> malformed(const JsonValue& request, bool has_seq) {
   if (request.object() == nullptr)
     return Failure{"bad_request",
                    R"(a request is an object: {"seq":n,"op":…,"in":{…}}, {"hello":1} or {"bye":1})"};
+  for (const char* alone : {"hello", "bye"}) {
+    if (request.find(alone) != nullptr)
+      return Failure{"bad_request", fmt::format("{} stands alone in its line: {{\"{}\":1}}", alone, alone)};
+  }
   for (const JsonMember& each : *request.object()) {
     if (std::find(keys.begin(), keys.end(), each.key) != keys.end()) continue;
     return Failure{"bad_request", fmt::format("a request has no key {}{} It has seq, op and in", each.key,

@@ -49,7 +49,7 @@ certified::TimingInput read_query(const JsonValue& value, const Place& place) {
 certified::TimingInput query_from_words(const std::vector<std::string>& words, const std::string& prefix) {
   const std::string kind_key = prefix + "kind=";
   certified::TimingInput query{exact::Kind::block, {}};
-  bool has_kind = false;
+  std::optional<std::string> given;
   std::vector<std::string> numbers;
   for (const std::string& word : words) {
     if (!word.starts_with(prefix)) continue;
@@ -57,15 +57,22 @@ certified::TimingInput query_from_words(const std::vector<std::string>& words, c
       numbers.push_back(word.substr(prefix.size()));
       continue;
     }
-    const std::string kind = word.substr(kind_key.size());
-    has_kind = kind == "block" || kind == "tether";
-    if (kind == "tether") query.kind = exact::Kind::tether;
+    given = word.substr(kind_key.size());
   }
-  if (!has_kind) {
+  if (given != "block" && given != "tether") {
     throw InputError({{"command line", 0, "",
-                       fmt::format("{0}kind is missing; write {0}kind=block or {0}kind=tether", prefix)}});
+                       fmt::format("{0}kind is {1}; write {0}kind=block or {0}kind=tether", prefix,
+                                   given ? *given : "missing")}});
   }
-  query.numbers = eval::read_words(query.operation(), numbers);
+  if (given == "tether") query.kind = exact::Kind::tether;
+  try {
+    query.numbers = eval::read_words(query.operation(), numbers);
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& problem : problems)
+      problem.message = prefix.substr(0, prefix.size() - 1) + ": " + problem.message;
+    throw InputError(std::move(problems));
+  }
   return query;
 }
 

@@ -14,6 +14,7 @@
 
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::vectors {
 namespace {
@@ -166,6 +167,34 @@ std::optional<std::string> wrong_classes(const Json& accept) {
   return std::nullopt;
 }
 
+/// What is no part of a case, or not as it should be: an answer that is stored beside the proven one is
+/// believed by nobody, and a key that is misspelt says nothing.
+std::optional<std::string> wrong_in_form(const Json& known_case, const Json& proven) {
+  const auto is_whole = [](const Json& value, std::int64_t low, std::int64_t high) {
+    return value.is_number_integer() && value >= low && value <= high;
+  };
+  const auto is_words = [](const Json& list) {
+    return list.is_array() &&
+           std::all_of(list.begin(), list.end(), [](const Json& word) { return word.is_string(); });
+  };
+  for (const auto& [key, value] : known_case.items()) {
+    if (proven.contains(key) || key == "id" || key == "in" || key == "accept") continue;
+    const char* allowed = key == "rev"                    ? "a whole number from 1"
+                          : key == "level"                ? "1, 2 or 3"
+                          : key == "tags"                 ? "a list of words"
+                          : key == "twin" || key == "why" ? "a word"
+                                                          : nullptr;
+    if (allowed == nullptr)
+      return fmt::format("{} is no key of this case: nothing of the kind is proven", printable(key, 100));
+    const bool is_right = key == "rev"     ? is_whole(value, 1, 1'000'000)
+                          : key == "level" ? is_whole(value, 1, 3)
+                          : key == "tags"  ? is_words(value)
+                                           : value.is_string();
+    if (!is_right) return fmt::format("{} is {}; allowed: {}", key, shown(value), allowed);
+  }
+  return std::nullopt;
+}
+
 /// Why the question has no proven answer, in words.
 template <typename Ask>
 std::optional<std::string> unanswerable(const Ask& ask) {
@@ -225,6 +254,7 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
     const Json stored = known_case.value(key, Json());
     if (stored != value) return fmt::format("{} is {}; proven: {}", key, json_text(stored), json_text(value));
   }
+  if (auto wrong = wrong_in_form(known_case, proven)) return wrong;
   return wrong_classes(known_case.value("accept", Json()));
 }
 

@@ -26,6 +26,13 @@ Clock early(Random& random) {
   return {gamma, std::ldexp(s, -random.integer(1, 1000))};
 }
 
+/// γs = 2^-k and a bit: what is beyond s in t is a 2^-(k+1)th of it, and no double takes it for nothing.
+Clock small(Random& random) {
+  const double gamma = random.uniform(0.5, 2);
+  const double s = random.uniform(0.5, 1);
+  return {gamma, std::ldexp(s, -random.integer(2, 45))};
+}
+
 /// 1 − γs down to rounding: the logarithm has lost nearly all of z's digits.
 Clock late(Random& random) {
   const double gamma = std::ldexp(1.0, random.integer(-3, 3));
@@ -73,6 +80,7 @@ constexpr Family families[] = {
     {"short", "gamma s in sixteenths, 0 and 1 among them", short_numbers},
     {"any_scale", "gamma times 2^k, s times 2^-k", any_scale},
     {"float32", "both numbers exact in single precision", float32},
+    {"small", "gamma s = 2^-k, k from 2 to 45: t is beyond s by half of that", small},
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ class Motion {
 
   bool together(int i, int j) const { return root_[at(i)] == root_[at(j)]; }
 
+  double mass(int i) const { return m_[at(i)]; }
+
   bool approach(const std::vector<Body>& bodies, int i, int j) const {
     double h = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -146,6 +148,27 @@ Problem tree(Random& random, std::uint64_t number) {
   return problem_of(bodies, collisions, {"tree"});
 }
 
+/// A container, or a wall, among few bodies: they rebound from it or are pulled back by it, in any order.
+Problem membrane(Random& random, std::uint64_t number) {
+  const int size = 2 + static_cast<int>(number % 4);
+  const int infinite = random.integer(0, size - 1);
+  std::vector<Body> bodies;
+  for (int n = 0; n < size; ++n) bodies.push_back(random_body(random, n == infinite));
+  Motion motion(bodies);
+  Json collisions = Json::array();
+  while (static_cast<int>(collisions.size()) < size - 1) {
+    const int i = random.integer(0, size - 1);
+    const int j = random.integer(0, size - 1);
+    if (motion.together(i, j)) continue;
+    // Both at rest already: grounded, or the infinite mass itself.
+    if (std::isinf(motion.mass(i)) && std::isinf(motion.mass(j))) continue;
+    const bool inner = motion.approach(bodies, i, j);
+    collisions.push_back(inner ? rebound(i, j, any_restitution(random)) : retraction(random, i, j));
+    motion.load(i, j);
+  }
+  return problem_of(bodies, collisions, {"membrane"});
+}
+
 }  // namespace
 
 void add_group_strata(std::vector<Stratum>& strata) {
@@ -153,6 +176,8 @@ void add_group_strata(std::vector<Stratum>& strata) {
   strata.push_back({"group", "chain", "loads one after the other, to depth 8", 80, accept, chain});
   strata.push_back({"group", "tree", "loads of groups with groups", 80, accept, tree});
   strata.push_back({"group", "wall", "a group that ends grounded on an infinite mass", 60, accept, wall});
+  strata.push_back({"group", "membrane", "outer and inner collisions of few bodies, one of infinite mass", 40,
+                    accept, membrane});
 }
 
 }  // namespace tps::vectors

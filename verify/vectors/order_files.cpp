@@ -104,6 +104,15 @@ Pair graded_tie(Random& random) {
   return pair;
 }
 
+/// Tethered to where it is, and another event before or behind the first pull.
+Pair coincident(Random& random) {
+  TimingQuery first = from("plain", random);
+  first.kind = Kind::tether;
+  first.u_B = first.u_A;
+  const TimingQuery second = with_event(random, "plain");
+  return random.coin() ? Pair{first, second} : Pair{second, first};
+}
+
 std::pair<Pair, Pair> order_twins(Random& random) {
   for (int attempt = 0; attempt < 10000; ++attempt) {
     Pair pair = exact_tie(random);
@@ -144,6 +153,7 @@ void add_order_strata(std::vector<Stratum>& strata) {
   add("mixed_tie", "a blocking and a tethering event at the same instant", mixed_tie);
   add("near_tie", "an exact tie with one number changed in its last bit", near_tie);
   add("graded_tie", "an exact tie with one limit changed by 2^-k of it, k from 5 to 45", graded_tie, 30);
+  add("coincident", "a pull of two particles at one point, and another event", coincident, 30);
   strata.push_back({"order", "twins", "one bit apart on the two sides of a change of order", 120, accept,
                     [](Random& random, std::uint64_t number) -> Problem {
                       const auto [one, other] = order_twins(random);

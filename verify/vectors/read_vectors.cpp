@@ -6,6 +6,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "reference/text/input_error.hpp"
 #include "reference/text/line_source.hpp"
@@ -28,6 +29,11 @@ class Section {
     if (header.at("schema") != "vectors") throw std::invalid_argument("schema is not \"vectors\"");
     require(header, "version", kVectorsVersion, kVectorsVersion);
     require(header, "semantics", kOldestSemantics, kSemanticsVersion);
+    for (const auto& [key, value] : header.items()) {
+      static const std::set<std::string> known{"schema", "version",   "semantics", "op",    "stratum",
+                                               "why",    "generator", "seed",      "first", "count"};
+      if (!known.contains(key)) throw std::invalid_argument("a header has no key " + shown(key));
+    }
     const Json& count = header.at("count");
     if (!count.is_number_unsigned())
       throw std::invalid_argument("count is " + shown(count) + "; it is a number of cases");

@@ -10,6 +10,7 @@
 #include "reference/text/input_error.hpp"
 #include "reference/text/line_source.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 #include "reference/text/text_file.hpp"
 #include "verify/protocol/answer.hpp"
 #include "verify/vectors/read_vectors.hpp"
@@ -59,7 +60,11 @@ Replies read_replies(const std::string& path) {
           {{path, number, "", R"(is not a reply; allowed: {"id":…,"out":{…}} or {"seq":n,"out":{…}})"}});
     }
     const std::string key = json_text(reply.contains("id") ? reply["id"] : reply["seq"]);
-    replies.by_case[key] = std::move(reply);
+    if (!replies.by_case.emplace(key, std::move(reply)).second) {
+      throw InputError(
+          {{path, number, "",
+            fmt::format("is a second reply to {}; each question has one", printable(key, 100))}});
+    }
   }
   return replies;
 }

@@ -178,6 +178,34 @@ Encounter near_elastic(Random& random, int dimension) {
   return e;
 }
 
+/// Hardly any restitution: what comes back is 2^-k of what came.
+Encounter near_plastic(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
+  for (double* c : {&e.c, &e.c_retract, &e.c_revolve}) *c = std::ldexp(1.0, -random.integer(2, 45));
+  return e;
+}
+
+/// Every component times a 2^-k of its own.
+Encounter spread(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
+  for (std::vector<double>* x : {&e.u_A, &e.u_B, &e.v_A, &e.v_B, &e.dp}) {
+    for (double& component : *x) component = std::ldexp(component, -random.integer(0, 45));
+  }
+  return e;
+}
+
+/// Nothing comes back along r, and across it the velocity is 2^-k of that along it: a revolution still.
+Encounter graded_across(Random& random, int dimension) {
+  Encounter e = plain(random, dimension);
+  e.c_retract = 0;
+  const double across = std::ldexp(1.0, -random.integer(5, 45));
+  const double x = e.u_B[0] - e.u_A[0], y = e.u_B[1] - e.u_A[1];
+  for (std::size_t k = 0; k < e.u_A.size(); ++k) e.v_B[k] = e.v_A[k] + (e.u_B[k] - e.u_A[k]);
+  e.v_B[0] -= across * y;
+  e.v_B[1] += across * x;
+  return e;
+}
+
 Json input_of(const eval::Operation& operation, const Encounter& e) {
   const std::map<std::string, Json> every{{"u_A", hex(e.u_A)},
                                           {"u_B", hex(e.u_B)},
@@ -235,18 +263,24 @@ constexpr Family boundary_families[] = {
     {"graded_boundary", "beside that boundary by 2^-k of it, k from 5 to 45", graded_boundary},
 };
 constexpr Family elastic = {"near_elastic", "restitution 1 - 2^-k, k from 2 to 45", near_elastic};
+constexpr Family plastic = {"near_plastic", "restitution 2^-k, k from 2 to 45", near_plastic};
+constexpr Family components = {"spread", "every component times a 2^-k of its own, k from 0 to 45", spread};
+constexpr Family all_but_along = {"graded_across", "c_retract = 0, |v_w| = 2^-k |v_n|, k from 5 to 45",
+                                  graded_across};
 
 constexpr int kInSpace = 60;
+constexpr int kFewInSpace = 30;
 
-bool is_planar(const Family& family, std::uint64_t number) {
-  return family.name == std::string_view(kPlane) || dimension_of_case(number, kInSpace) == 2;
+bool is_planar(const Family& family, std::uint64_t number, int in_space) {
+  return family.name == std::string_view(kPlane) || dimension_of_case(number, in_space) == 2;
 }
 
 void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, const Family& family,
-                const std::vector<std::string>& accept) {
-  strata.push_back({std::string(operation.name), family.name, family.why, kInSpace + kInThePlane, accept,
-                    [&operation, family](Random& random, std::uint64_t number) -> Problem {
-                      const bool planar = is_planar(family, number);
+                int in_space = kInSpace) {
+  const std::vector<std::string> accept{"R", "K(16)"};
+  strata.push_back({std::string(operation.name), family.name, family.why, in_space + kInThePlane, accept,
+                    [&operation, family, in_space](Random& random, std::uint64_t number) -> Problem {
+                      const bool planar = is_planar(family, number, in_space);
                       Encounter encounter;
                       do encounter = family.encounter(random, planar ? 2 : 3);
                       while (!has_answer(operation, encounter));
@@ -262,10 +296,15 @@ void add_response_strata(std::vector<Stratum>& strata) {
   for (const char* name : {"apply_impulse", "collision_impulse", "revolution_impulse", "tether_response",
                            "load", "restitution_impulse"}) {
     const eval::Operation& operation = *eval::find_operation(name);
-    for (const Family& family : response_families) add_family(strata, operation, family, {"R", "K(16)"});
-    if (operation.op == eval::Op::collision_impulse) add_family(strata, operation, elastic, {"R", "K(16)"});
-    if (operation.op != eval::Op::tether_response) continue;
-    for (const Family& family : boundary_families) add_family(strata, operation, family, {"R", "K(16)"});
+    for (const Family& family : response_families) add_family(strata, operation, family);
+    if (operation.op == eval::Op::collision_impulse) add_family(strata, operation, elastic);
+    if (operation.op == eval::Op::tether_response) {
+      for (const Family& family : boundary_families) add_family(strata, operation, family);
+      add_family(strata, operation, all_but_along, kFewInSpace);
+    }
+    const bool restores = std::any_of(operation.keys.begin(), operation.keys.end(),
+                                      [](const std::string& key) { return key.starts_with("c"); });
+    add_family(strata, operation, restores ? plastic : components, kFewInSpace);
   }
 }
 

@@ -56,6 +56,16 @@ std::vector<std::string> tags_of(const TimingQuery& query, std::string_view stra
   return tags;
 }
 
+/// Two particles at one point, as one at the centre of its container is: no axis, and for tethers a way of L
+/// to go in whatever direction.
+TimingQuery coincident(Random& random, Kind kind, int dimension) {
+  TimingQuery query = exact::strata::plain(random, kind, dimension);
+  query.u_B = query.u_A;
+  if (random.integer(0, 7) == 0) query.v_B = query.v_A;
+  return random.coin() ? query
+                       : exact::strata::scaled(query, random.integer(-300, 300), random.integer(-300, 300));
+}
+
 }  // namespace
 
 void add_timing_strata(std::vector<Stratum>& strata) {
@@ -79,6 +89,12 @@ void add_timing_strata(std::vector<Stratum>& strata) {
                         return {timing_input(query, 3), tags_of(query, "twin")};
                       },
                       2});
+    constexpr int kCoincidentInSpace = 30;
+    strata.push_back({op, "coincident", "both particles at one point", kCoincidentInSpace + kInThePlane,
+                      accept, [kind](Random& random, std::uint64_t number) -> Problem {
+                        const int dimension = dimension_of_case(number, kCoincidentInSpace);
+                        return {timing_input(coincident(random, kind, dimension), dimension), {"coincident"}};
+                      }});
   }
 }
 

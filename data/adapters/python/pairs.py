@@ -8,8 +8,10 @@ from timing import block_time, dot, tether_time
 
 class Pairs:
     def __init__(self, scene):
-        species, particles = read(scene["species"]), read(scene["particles"])
-        self.ids = [p.get("id", n) for n, p in enumerate(particles)]
+        species = read(scene["species"])
+        particles = [{"id": n, "velocity": [0.0 for _ in p["position"]], **p} for n, p in enumerate(read(scene["particles"]))]
+        particles.sort(key=lambda p: p["id"])  # a pair is written, and ties are ordered, by ids
+        self.ids = [p["id"] for p in particles]
         self.species = [species[p["species"]] for p in particles]
         self.u, self.v = [p["position"] for p in particles], [p["velocity"] for p in particles]
         self.m = [s["mass"] for s in self.species]

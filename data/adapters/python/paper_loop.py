@@ -51,8 +51,9 @@ def event(pairs, t, limit, i, j):
     """Everybody flies for t, then the pair responds."""
     pairs.u = [[x + w * t for x, w in zip(place, speed)] for place, speed in zip(pairs.u, pairs.v)]
     kind, dp, tether = pairs.respond(i, j, limit)
-    pairs.v[i], pairs.v[j] = apply_impulse(pairs.m[i], pairs.m[j], pairs.v[i], pairs.v[j], dp).values()
-    if any(dp):
+    before = pairs.v[i], pairs.v[j]
+    pairs.v[i], pairs.v[j] = after = tuple(apply_impulse(pairs.m[i], pairs.m[j], *before, dp).values())
+    if after != before:  # an impulse may be less than the last digit of both
         pairs.answered = {known for known in pairs.answered if not {i, j} & set(known[:2])}
     pairs.answered.add((i, j, limit))
     if tether:
