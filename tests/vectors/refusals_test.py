@@ -33,6 +33,7 @@ for name in ("load.plain", "block_time.plain", "order.plain", "tether_response.p
                                  f"0 answers judged, 0 wrong, {len(right)} refused or without an answer\n"),
         "not offered": ([{"seq": r["seq"], "skip": "unknown_op"} for r in right], 5,
                         f"0 answers judged, 0 wrong, {len(right)} of operations that are not offered\n"),
+        "answered twice": (right + right[:1], 3, ""),
         "empty": ([{"seq": r["seq"], "out": {}} for r in right], 1, f"{len(right)} answers judged, {len(right)} wrong\n"),
     }
     for what, (replies, code, says) in expected.items():
