@@ -40,8 +40,6 @@ class Motion {
 
   bool together(int i, int j) const { return root_[at(i)] == root_[at(j)]; }
 
-  double mass(int i) const { return m_[at(i)]; }
-
   bool approach(const std::vector<Body>& bodies, int i, int j) const {
     double h = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -131,10 +129,8 @@ Problem wall(Random& random, std::uint64_t number) {
 
 /// Collisions between any two bodies until one tree is left: rebounds of those that approach, retractions or
 /// revolutions of the others.
-Problem tree(Random& random, std::uint64_t number) {
-  const int size = 2 + static_cast<int>(number % 8);
-  std::vector<Body> bodies;
-  for (int n = 0; n < size; ++n) bodies.push_back(random_body(random, false));
+Json until_one_tree(Random& random, const std::vector<Body>& bodies) {
+  const int size = static_cast<int>(bodies.size());
   Motion motion(bodies);
   Json collisions = Json::array();
   while (static_cast<int>(collisions.size()) < size - 1) {
@@ -145,7 +141,14 @@ Problem tree(Random& random, std::uint64_t number) {
     collisions.push_back(inner ? rebound(i, j, any_restitution(random)) : retraction(random, i, j));
     motion.load(i, j);
   }
-  return problem_of(bodies, collisions, {"tree"});
+  return collisions;
+}
+
+Problem tree(Random& random, std::uint64_t number) {
+  const int size = 2 + static_cast<int>(number % 8);
+  std::vector<Body> bodies;
+  for (int n = 0; n < size; ++n) bodies.push_back(random_body(random, false));
+  return problem_of(bodies, until_one_tree(random, bodies), {"tree"});
 }
 
 /// A container, or a wall, among few bodies: they rebound from it or are pulled back by it, in any order.
@@ -154,19 +157,7 @@ Problem membrane(Random& random, std::uint64_t number) {
   const int infinite = random.integer(0, size - 1);
   std::vector<Body> bodies;
   for (int n = 0; n < size; ++n) bodies.push_back(random_body(random, n == infinite));
-  Motion motion(bodies);
-  Json collisions = Json::array();
-  while (static_cast<int>(collisions.size()) < size - 1) {
-    const int i = random.integer(0, size - 1);
-    const int j = random.integer(0, size - 1);
-    if (motion.together(i, j)) continue;
-    // Both at rest already: grounded, or the infinite mass itself.
-    if (std::isinf(motion.mass(i)) && std::isinf(motion.mass(j))) continue;
-    const bool inner = motion.approach(bodies, i, j);
-    collisions.push_back(inner ? rebound(i, j, any_restitution(random)) : retraction(random, i, j));
-    motion.load(i, j);
-  }
-  return problem_of(bodies, collisions, {"membrane"});
+  return problem_of(bodies, until_one_tree(random, bodies), {"membrane"});
 }
 
 }  // namespace
