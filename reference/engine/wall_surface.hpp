@@ -124,12 +124,13 @@ class WallSurface {
     return x;
   }
 
-  /// Whether a particle is where this part of the box is the nearest when it touches it, exactly on the
-  /// stored numbers: on the border between two parts both are. REQUIRES that it touches it.
+  /// Whether a particle touches this part of the box, and where it is the nearest, exactly on the stored
+  /// numbers: on the border between two parts both are. REQUIRES that it approaches.
   bool is_nearest(const ParticleState<Scalar, D>& p, const Scalar& L) const {
     const BoxRegion& region = *surface_.region;
     const FirstTouch<Scalar, D> touch(place(p.clock), p.position, velocity_, p.velocity, L,
                                       {region.measures(0), region.measures(1), region.measures(2)});
+    if (!is_plane() && !touch.happens()) return false;
     const Vec low = moved(low_, p.clock), high = moved(high_, p.clock);
     for (int k = 0; k < D; ++k) {
       const Side side = region.sides[static_cast<std::size_t>(k)];

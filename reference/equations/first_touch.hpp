@@ -35,11 +35,17 @@ class FirstTouch {
       w_[at(k)] = dyadic(Scalar(v_B[k])) - dyadic(Scalar(v_A[k]));
       square = square + r_[at(k)] * r_[at(k)];
     }
-    at_once_ = (square - L_ * L_).sign() <= 0;
+    const Dyadic beyond = square - L_ * L_;
+    at_once_ = beyond.sign() <= 0;
+    touches_ = at_once_ || comes_within(beyond);
   }
 
-  /// The sign of u_B[k] − c − v_A[k] t at the touch: −1 before the plane, 0 on it, 1 behind. REQUIRES that B
-  /// touches: it is at once within L, or has a root ahead.
+  /// Whether B touches: it is within L at once, or approaches and comes nearer than L. Who flies past at L
+  /// exactly does not (docs/semantics.md, `tangent`).
+  bool happens() const { return touches_; }
+
+  /// The sign of u_B[k] − c − v_A[k] t at the touch: −1 before the plane, 0 on it, 1 behind. REQUIRES
+  /// happens().
   int side(int k, const Scalar& c) const {
     const int now = compare(u_B_[k], c);
     const int way = compare(v_B_[k], v_A_[k]);
@@ -61,6 +67,15 @@ class FirstTouch {
   }
 
  private:
+  /// h < 0 and h² > a c.
+  bool comes_within(const Dyadic& c) const {
+    Dyadic a, h;
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+      a = a + w_[k] * w_[k];
+      h = h + r_[k] * w_[k];
+    }
+    return h.sign() < 0 && (h * h - a * c).sign() > 0;
+  }
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   bool is_measured(int k) const { return measured_[at(k)]; }
   static int compare(const Scalar& x, const Scalar& y) { return x < y ? -1 : x > y ? 1 : 0; }
@@ -70,7 +85,7 @@ class FirstTouch {
   Dyadic L_;
   std::array<bool, 3> measured_;
   std::array<Dyadic, 3> r_, w_;  ///< along the measured axes
-  bool at_once_ = false;
+  bool at_once_ = false, touches_ = false;
 };
 
 }  // namespace tps

@@ -109,6 +109,66 @@ TEST(BoxOutside, ABallThatRestsOnAFaceSlidesOffIt) {
   }
 }
 
+/// A ball that slides along a face of a block towards its edge, or falls on the face first and stays on it
+/// (c = 0), a rounding off on either side; with short numbers, or with all their digits.
+class Slides {
+ public:
+  Scene next() {
+    const int dimension = 2 + pick(2);
+    is_short_ = pick(3) == 0;
+    falls_ = pick(2) == 1;
+    Coordinates low{}, high{}, position{}, velocity{};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+      low[k] = uniform(-1, 1);
+      high[k] = low[k] + uniform(.5, 2);
+      position[k] = low[k] + (high[k] - low[k]) * uniform(.25, .75);
+      velocity[k] = pick(4) == 0 ? 0 : uniform(-1, 1);
+    }
+    const auto across = static_cast<std::size_t>(pick(dimension));
+    const double side = pick(2) == 1 ? 1 : -1, radius = uniform(.125, .5);
+    const double face = side > 0 ? high[across] : low[across];
+    position[across] = face + side * (falls_ ? radius + .25 : radius);
+    // A start that is nearer than the radius is refused.
+    while (side * (position[across] - face) < radius)
+      position[across] = std::nextafter(position[across], side * HUGE_VAL);
+    velocity[across] = falls_ ? -4 * side : 0;
+    Scene scene = block(dimension, low, high, position, velocity);
+    scene.species[0].radius = radius;
+    scene.walls[0].c_rebound = falls_ ? 0 : .5;
+    return scene;
+  }
+  bool falls() const { return falls_; }
+
+ private:
+  int pick(int n) { return static_cast<int>(draw_() % static_cast<unsigned>(n)); }
+  double uniform(double low, double high) {
+    const double x = low + (high - low) * (static_cast<double>(draw_()) * 0x1p-32);
+    return is_short_ ? std::round(x * 64) / 64 : x;
+  }
+
+  std::mt19937 draw_{11};
+  bool is_short_ = false, falls_ = false;
+};
+
+// It is exactly at its distance from the edge, or a rounding farther or nearer: tangent, past, or already
+// within it. Rounded, h² − ac may be above 0 in all three.
+TEST(BoxOutside, WhoSlidesPastAnEdgeIsNotThrownOffByIt) {
+  Slides slides;
+  for (int n = 0; n < 200; ++n) {
+    const Scene scene = slides.next();
+    for (const Timing timing : kTimings) {
+      for (const char* scalar : {"double", "float", "long-double", "mp50"}) {
+        const bool is_native = scalar == std::string("double") || scalar == std::string("float");
+        if (!is_native && (n % 8 > 0 || timing == Timing::certified)) continue;
+        if (scalar == std::string("float") && !slides.falls())
+          continue;  // a start rounded to float is nearer
+        const testing::TracedRun run = run_with(scene, timing, scalar);
+        ASSERT_EQ(run.events.size(), slides.falls() ? 1U : 0U) << n << ' ' << scalar << '\n' << run.bytes;
+      }
+    }
+  }
+}
+
 long double distance(const Wall& wall, const std::array<long double, 3>& u, int dimension) {
   long double square = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "verify/exact/drag_time.hpp"
@@ -46,6 +47,15 @@ TEST(DragTime, EndsOfTheRange) {
   EXPECT_TRUE(is_nearest_drag_time(1, dyadic(last), 0, t));
   EXPECT_FALSE(is_nearest_drag_time(1, dyadic(last), 0, std::nextafter(t, 0)));
   EXPECT_FALSE(is_nearest_drag_time(1, dyadic(last), 0, std::nextafter(t, 99)));
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  for (const double end : {-kLargest, kLargest}) {
+    const double inwards = std::nextafter(end, 0);
+    EXPECT_TRUE(is_nearest_drag_time(1, dyadic(.5), end, end));
+    EXPECT_FALSE(is_nearest_drag_time(1, dyadic(.5), end, inwards));
+    EXPECT_FALSE(is_nearest_drag_time(1, dyadic(.5), inwards, end));
+    EXPECT_TRUE(is_nearest_drag_time(1, dyadic(.5), inwards, inwards));
+    EXPECT_EQ((middle_of(end, std::copysign(HUGE_VAL, end)) - dyadic(end)).sign(), end < 0 ? -1 : 1);
+  }
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 
 #include "reference/engine/drag_clock.hpp"
 #include "reference/text/hexfloat.hpp"
@@ -129,6 +132,96 @@ TEST(Drag, NothingHappensWhenTheClockHasRunOut) {
   EXPECT_TRUE(says_so) << first_finding(report);
 }
 
+/// The same trace, of velocities alone. `start` becomes the scene's, times are moved with it.
+std::string minimal_of(const testing::TracedRun& run, double start) {
+  std::string bytes;
+  for (const std::string& text : run.lines) {
+    json line = json::parse(text);
+    if (line.contains("state")) continue;
+    if (line.contains("trace")) {
+      line = {{"trace", 1}, {"form", "minimal"}, {"scalar", line["scalar"]}, {"scene", line["scene"]}};
+      line["scene"]["start_time"] = start;
+    } else {
+      const double t = std::strtod(line["t"].get<std::string>().c_str(), nullptr);
+      line["t"] = start + t;
+      for (const char* key : {"k", "ds", "pre", "dp"}) line.erase(key);
+      if (line.contains("post")) {
+        for (json& state : line["post"]) state.erase("position");
+      }
+    }
+    bytes += line.dump() + "\n";
+  }
+  return bytes;
+}
+
+/// With a line of a minimal trace changed: of those with that key, the one of that number.
+template <typename Edit>
+std::string with_minimal_line(const std::string& bytes, const char* key, int which, Edit edit) {
+  std::string changed, text;
+  std::istringstream lines(bytes);
+  while (std::getline(lines, text)) {
+    json line = json::parse(text);
+    if (line.contains(key) && which-- == 0) edit(line);
+    changed += line.dump() + "\n";
+  }
+  return changed;
+}
+
+/// Balls that meet twice, and rebound.
+Scene meeting(double gamma, double duration) {
+  Scene scene = testing::plain_scene();
+  scene.drag = Drag{gamma};
+  scene.duration = duration;
+  testing::block(scene, 0, 0);
+  add_particle(scene, 0, {}, {1, 0, 0});
+  add_particle(scene, 0, {2, .25, 0}, {-1, 0, 0});
+  add_particle(scene, 0, {-3, 0, 0}, {.5, 0, 0});
+  return scene;
+}
+
+// s counts from 0 whenever the scene starts: so does what rounding may do to it.
+TEST(Drag, AMinimalTraceIsJudgedAsSharplyWhenItStartsLate) {
+  const testing::TracedRun run = testing::traced(meeting(.125, 3));
+  ASSERT_GE(run.events.size(), 1U);
+  for (const double start : {0., -7., 0x1p40, 1e15, -1e300}) {
+    const std::string bytes = minimal_of(run, start);
+    const check::CheckReport report = checked(bytes);
+    EXPECT_TRUE(report.conforming()) << start << ": " << first_finding(report);
+    const auto later = [](json& event) {
+      event["s"] = std::strtod(event["s"].get<std::string>().c_str(), nullptr) * (1 + 1e-12);
+    };
+    EXPECT_GT(violated(checked(with_minimal_line(bytes, "kind", 0, later)), check::Rule::contact), 0U)
+        << start;
+  }
+}
+
+// Any evaluation of (1 − e^{−γT})/γ is the clock of an end; another number is not.
+TEST(Drag, TheClockOfTheEndOfAMinimalTraceIsThatOfItsTime) {
+  for (const double gamma : {1e-6, .01, .125, 1., 3.}) {
+    for (const double T : {.25, 3., 40.}) {
+      const testing::TracedRun run = testing::traced(meeting(gamma, T));
+      ASSERT_EQ(run.summary.end, "duration");
+      for (const double start : {0., .1, -1000.}) {
+        const std::string bytes = minimal_of(run, start);
+        const auto with_end = [&](double s) {
+          return checked(with_minimal_line(bytes, "end", 0, [&](json& end) { end["s"] = s; }));
+        };
+        const double naive = (1 - std::exp(-gamma * T)) / gamma, careful = -std::expm1(-gamma * T) / gamma;
+        for (const double s : {naive, careful, careful * (1 - 0x1p-53)})
+          EXPECT_EQ(violated(with_end(s), check::Rule::end), 0U) << gamma << ' ' << T << ' ' << start;
+        EXPECT_TRUE(checked(bytes).conforming()) << first_finding(checked(bytes));
+        // Twice what is allowed, and T with two roundings of |T| + |start|.
+        const double off = 16 * 0x1p-53 / gamma + 4 * 0x1p-53 * (T + std::abs(start));
+        for (const double s : {0., careful / 2, careful - off, careful + off})
+          EXPECT_GT(violated(with_end(s), check::Rule::end), 0U)
+              << gamma << ' ' << T << ' ' << start << ' ' << s;
+      }
+    }
+  }
+  const testing::TracedRun run = testing::traced(meeting(1e-20, 3));
+  EXPECT_TRUE(testing::says(checked(minimal_of(run, 0)), "below its rounding"));
+}
+
 /// Every road of drag_time, to a number with no rounding in it.
 TEST(DragTime, IsTheNearestDouble) {
   std::mt19937_64 random(7);
@@ -200,7 +293,8 @@ TEST(Drag, AnyGammaAndDurationRunsAndConforms) {
     if (gamma == 0) continue;
     scene.drag = Drag{gamma};
     scene.duration = n % 4 == 0 ? 5e-324 : n % 4 == 1 ? power(-300, 300) : HUGE_VAL;
-    scene.start_time = n % 5 == 0 ? 1.5e308 : n % 5 == 1 ? -7 : 0;
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    scene.start_time = std::array{1.5e308, -7., 0., -kLargest, kLargest}[static_cast<std::size_t>(n % 5)];
     testing::block(scene, 0, 0, .75);
     // One pair meets about where 1/γ is, another one far beyond what has a time.
     const double speed = n % 2 == 0 ? std::clamp(gamma * power(-.5, .5), 1e-310, 1e300) : 1;

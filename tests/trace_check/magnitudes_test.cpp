@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <random>
 
 #include "reference/text/input_error.hpp"
@@ -113,6 +114,39 @@ TEST(Magnitudes, LateStartsConform) {
       add_particle(scene, 0, {0, 0, 0});
       add_particle(scene, 0, {3, .25, 0}, {-1, 0, 0});
       EXPECT_EQ(judged_end(scene, scalar, Timing::stable, exponent), "duration");
+    }
+  }
+}
+
+// Two pairs meet so soon after a push that their times differ by less than a number of the check tells.
+TEST(Magnitudes, OrderIsTheirTimesHoweverClose) {
+  for (const char* scalar : {"long-double", "quad", "mp50", "mp100"}) {
+    for (const double speed : {1e100, 1e240, 1e260, 1e300}) {
+      Scene scene = testing::plain_scene();
+      scene.duration = 3;
+      testing::block(scene, 0, 0, 1);
+      const double beside[] = {2.5, 2.25};  // the second pair meets first
+      for (int n = 0; n < 2; ++n) {
+        add_particle(scene, 0, {0, 10. * n, 0});
+        add_particle(scene, 0, {beside[n], 10. * n, 0});
+        scene.impulses.push_back({1.5, 2 * n, {speed, 0, 0}});
+      }
+      EXPECT_EQ(judged_end(scene, scalar, Timing::stable, 0), "duration") << speed;
+    }
+  }
+}
+
+// The times of its lines are exact, though no double is start_time + t.
+TEST(Magnitudes, EndsBeyondTheDoublesConform) {
+  for (const char* scalar : {"double", "long-double", "quad", "mp100"}) {
+    for (const double start : {1e308, std::numeric_limits<double>::max()}) {
+      Scene scene = testing::plain_scene();
+      scene.start_time = start;
+      scene.duration = start;
+      testing::block(scene, 0, 0, 1);
+      add_particle(scene, 0, {0, 0, 0});
+      add_particle(scene, 0, {3, .25, 0}, {-0x1p-1021, 0, 0});
+      EXPECT_EQ(judged_end(scene, scalar, Timing::stable, 0), "duration");
     }
   }
 }

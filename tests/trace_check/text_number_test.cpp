@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "reference/trace/event_line.hpp"
@@ -42,6 +43,25 @@ TEST(TimesAreReadExactly, TiesAndRemaindersOfSums) {
   EXPECT_EQ(sum.rounded(), 1);  // the middle, to even
   sum.add(-1);
   EXPECT_EQ(sum.rounded(), 0x1p-53);
+}
+
+// start_time + t may be no double where both are.
+TEST(TimesAreReadExactly, BeyondTheRangeOfDoublesButNotOfTheClock) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  for (const double start : {kLargest, 0x1.3p1023, 1e308}) {
+    for (const double hi : {kLargest, 0x1.1ccf385ebc8ap+1023, 0x1.8p1022}) {
+      for (const double lo : {0., 0x1p960, -0x1.8p900, 0x1p-1000}) {
+        const std::string text = exact_time(start, Time<double>{hi, lo});
+        for (const char* sign : {"", "-"}) {
+          const double factor = *sign == '-' ? -1 : 1;
+          const auto read = instant_of<double>(sign + text, factor * start);
+          ASSERT_TRUE(read.has_value()) << text;
+          EXPECT_EQ(read->hi, factor * hi) << text << " from " << start;
+          EXPECT_EQ(read->lo, factor * lo) << text << " from " << start;
+        }
+      }
+    }
+  }
 }
 
 TEST(TimesAreReadExactly, BeyondTheRange) {

@@ -2,11 +2,14 @@
 // another wall, with another impulse, or flies through one, is told by its rule.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "reference/text/hexfloat.hpp"
+#include "reference/text/input_error.hpp"
 #include "tests/run/resumed_run.hpp"
 #include "tests/run/traced_run.hpp"
 #include "tests/trace_check/checked_trace.hpp"
@@ -216,6 +219,144 @@ TEST(CheckOfWalls, WhoFliesThroughABlockIsTold) {
           right.bytes.substr(0, right.bytes.find('\n')) + through.bytes.substr(through.bytes.find('\n'));
       EXPECT_GT(violated(checked(lie), check::Rule::earliest), 0U) << position[1];
     }
+  }
+}
+
+/// Balls whose flights end at the borders between the parts of a block, or slide along its faces, or come on
+/// a slope as slight as 2⁻⁴⁰.
+class Borders {
+ public:
+  Scene next() {
+    const int dimension = 2 + pick(2);
+    Scene scene = testing::plain_scene(dimension);
+    scene.duration = 10;
+    scene.species[0].radius = pick(2) == 1 ? .25 : number(.1, .5);
+    Wall block;
+    block.shape = Wall::Shape::box;
+    block.inside = false;
+    block.c_rebound = pick(3) * .5;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+      block.point[k] = number(-1, 1);
+      block.high[k] = block.point[k] + .5 * (1 + pick(3));
+      if (pick(2) == 1) block.velocity[k] = .25 * pick(3);
+    }
+    scene.walls = {block};
+    for (int n = 0; n < 6; ++n) add_ball(scene);
+    return scene;
+  }
+
+ private:
+  int pick(int n) { return static_cast<int>(draw_() % static_cast<unsigned>(n)); }
+  double number(double low, double high) {
+    return low + (high - low) * (static_cast<double>(draw_()) * 0x1p-32);
+  }
+
+  void add_ball(Scene& scene) {
+    const Wall& block = scene.walls[0];
+    const auto dimension = static_cast<std::size_t>(scene.dimension);
+    const std::size_t across = draw_() % dimension;
+    const double side = pick(2) == 1 ? 1 : -1, radius = scene.species[0].radius, before = number(.1, 2);
+    const double slope = std::ldexp(1., std::array{0, -20, -26, -40, -1074}[draw_() % 5]);
+    Coordinates position{}, velocity{};
+    for (std::size_t k = 0; k < dimension; ++k) {
+      const double ends[] = {block.point[k], block.high[k], number(block.point[k], block.high[k])};
+      const double target = k == across ? ends[side > 0 ? 1 : 0] + side * radius : ends[pick(3)];
+      const double speed = k == across ? -side * number(.1, 1) * slope : pick(4) == 0 ? 0 : number(-1, 1);
+      position[k] = target - before * speed;
+      velocity[k] = speed + block.velocity[k];
+    }
+    // A start that is nearer than the radius is refused.
+    const double face = side > 0 ? block.high[across] : block.point[across];
+    while (side * (position[across] - face) < radius)
+      position[across] = std::nextafter(position[across], side * HUGE_VAL);
+    testing::add_particle(scene, 0, position, velocity);
+  }
+
+  std::mt19937 draw_{5};
+};
+
+TEST(CheckOfWalls, HonestRunsAtTheBordersOfABlockConform) {
+  Borders borders;
+  std::uint64_t rebounds = 0;
+  for (int n = 0; n < 96; ++n) {
+    const Scene scene = borders.next();
+    for (const char* scalar : {"double", "float", "long-double", "quad", "mp100"}) {
+      const bool certifiable = scalar == std::string("float") || scalar == std::string("double");
+      if (!certifiable && n % 8 > 0) continue;
+      for (const Timing timing : {Timing::stable, Timing::paper, Timing::certified}) {
+        if (timing == Timing::certified && !certifiable) continue;
+        testing::TracedRun run;
+        try {
+          run = honest(scene, scalar, timing);
+        } catch (const InputError&) {
+          continue;  // in float it starts nearer
+        }
+        rebounds += run.events.size();
+        const check::CheckReport report = checked(run.bytes);
+        ASSERT_TRUE(report.conforming()) << n << ' ' << scalar << ": " << first_finding(report) << run.bytes;
+      }
+    }
+  }
+  EXPECT_GE(rebounds, 300U);
+}
+
+// A program that computes the discriminant of a slide in doubles sees the corner, √u before the edge.
+TEST(CheckOfWalls, AReboundOfATangentIsRounding) {
+  Scene scene = testing::plain_scene();
+  scene.duration = 2;
+  scene.species[0].radius = .25;
+  Wall block;
+  block.shape = Wall::Shape::box;
+  block.inside = false;
+  block.high = {1, 1, 0};
+  scene.walls = {block};
+  testing::add_particle(scene, 0, {.9, 1.25, 0}, {.3, 0, 0});
+  const testing::TracedRun run = honest(scene, "double", Timing::stable);
+  EXPECT_TRUE(run.events.empty());
+  const auto claimed = [&](double before, double dp) {
+    const double t = (1 - .9) / .3 - before / .3;
+    const json state = {{"position", {to_hex(.9 + t * .3), to_hex(1.25)}},
+                        {"velocity", {to_hex(.3), to_hex(0.)}}};
+    json after = state;
+    after["velocity"][1] = to_hex(dp);
+    const json event = {{"k", 1},
+                        {"t", to_hex(t)},
+                        {"dt", to_hex(t)},
+                        {"kind", "wall"},
+                        {"wall", 0},
+                        {"face", 7},
+                        {"i", 0},
+                        {"pre", {{"0", state}}},
+                        {"post", {{"0", after}}},
+                        {"dp", {to_hex(0.), to_hex(dp)}}};
+    json end = json::parse(run.lines.back());
+    end["events"] = 1;
+    return run.lines.front() + "\n" + event.dump() + "\n" + end.dump() + "\n";
+  };
+  const check::CheckReport report = checked(claimed(4e-9, 0x1p-27));
+  EXPECT_EQ(violated(report, check::Rule::contact), 0U) << first_finding(report);
+  EXPECT_GT(violated(checked(claimed(4e-7, 0x1p-27)), check::Rule::contact), 0U);
+}
+
+// Within a rounding of the border in time, but not in place: who flies straight at a face beside its edge
+// does not meet the corner, which is as near there.
+TEST(CheckOfWalls, WhoTakesTheOtherPartIsTold) {
+  for (const double beside : {1e-9, 1e-6}) {
+    Scene scene = testing::plain_scene();
+    scene.duration = 8;
+    Wall block;
+    block.shape = Wall::Shape::box;
+    block.inside = false;
+    block.high = {4, 2, 0};
+    scene.walls = {block};
+    testing::add_particle(scene, 0, {4 - beside, 5, 0}, {0, -1, 0});
+    const testing::TracedRun run = honest(scene, "double", Timing::stable);
+    const auto corner = [](json& event) {
+      event["face"] = 7;
+      return true;
+    };
+    ASSERT_EQ(run.events.size(), 1U);
+    EXPECT_GT(violated(checked(with_event(run, "wall", 0, corner)), check::Rule::contact), 0U) << beside;
   }
 }
 

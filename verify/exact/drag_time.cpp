@@ -71,15 +71,14 @@ Sign compare_drag_time(double gamma, const Dyadic& s, const Dyadic& t) {
 bool is_nearest_drag_time(double gamma, const Dyadic& s, double start, double rounded) {
   if (!std::isfinite(rounded)) return false;
   if (s.sign() == 0) return rounded == start;
-  const Dyadic half{1, -1};
-  const auto middle = [&](double other) { return (dyadic(rounded) + dyadic(other)) * half - dyadic(start); };
+  const auto middle = [&](double other) { return middle_of(rounded, other) - dyadic(start); };
   const double inf = std::numeric_limits<double>::infinity();
   return compare_drag_time(gamma, s, middle(std::nextafter(rounded, -inf))) != Sign::negative &&
          compare_drag_time(gamma, s, middle(std::nextafter(rounded, inf))) != Sign::positive;
 }
 
 Dyadic middle_of(double x, double y) {
-  const auto exactly = [](double a) { return std::isinf(a) ? Dyadic{1, 1024} : dyadic(a); };
+  const auto exactly = [](double a) { return std::isinf(a) ? Dyadic{a < 0 ? -1 : 1, 1024} : dyadic(a); };
   return (exactly(x) + exactly(y)) * Dyadic{1, -1};
 }
 

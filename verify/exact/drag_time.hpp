@@ -16,7 +16,7 @@ Sign compare_drag_time(double gamma, const Dyadic& s, const Dyadic& t);
 /// REQUIRES as above, finite numbers.
 bool is_nearest_drag_time(double gamma, const Dyadic& s, double start, double rounded);
 
-/// Half-way between two doubles, infinity standing for 2^1024.
+/// Half-way between two doubles, an infinity standing for 2^1024 of its sign.
 Dyadic middle_of(double x, double y);
 
 }  // namespace tps::exact

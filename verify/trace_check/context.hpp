@@ -33,7 +33,7 @@ struct Context {
   W time_error(const Instant<Number>& t) const {
     using std::abs;
     const W size = abs(W(t.hi));
-    return minimal ? W(2) * u() * (size + abs(W(model.scene.start_time)))
+    return minimal ? W(2) * u() * (size + model.start_of_clock())
                    : W(4) * u() * u() * size + model.precision.smallest;
   }
 

@@ -105,7 +105,8 @@ class LineJudgeOf : public LineJudge {
   }
   void add_digits(const EventLine<Number>& event) {
     DecimalDigits& digits = judged_->digits;
-    digits.add(DecimalDigits::times, rough(event.t).hi + parts_.facts.scene.start_time);
+    const Scene& scene = parts_.facts.scene;
+    digits.add(DecimalDigits::times, rough(event.t).hi + (scene.drag ? 0 : scene.start_time));
     for (const InvolvedParticle<Number>& p : event.involved) {
       for (std::size_t k = 0; k < 3; ++k) {
         digits.add(DecimalDigits::velocities, static_cast<double>(p.velocity_after[k]));

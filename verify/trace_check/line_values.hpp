@@ -120,7 +120,9 @@ class LineValues {
   Instant<Number> instant(dom::element value, const Pointer& at, double start_time) const {
     double plain = 0;
     if (minimal_ && value.get(plain) == simdjson::SUCCESS) {
-      return {Number(plain) - Number(start_time), Number(0)};
+      const Number t = Number(plain) - Number(start_time);
+      if (!(t - t == Number(0))) problem(at, "is too long after the start for a number of the check");
+      return {t, Number(0)};
     }
     const std::string_view hex = text(value, at);
     const std::optional<Instant<Number>> result = instant_of<Number>(hex, start_time);

@@ -138,6 +138,12 @@ class Model {
     return shift;
   }
 
+  /// The size of what the clock of the trace's lines begins with, where a program has one number for it. The
+  /// clock s of drag begins at 0.
+  W start_of_clock() const {
+    return scene.drag ? W(0) : W(scene.start_time < 0 ? -scene.start_time : scene.start_time);
+  }
+
   /// How far a particle may be from its straight line by the event that is being judged, `asked`.
   ///
   /// A run that advances everybody at every event rounds x and v dt each time, and t as well: n (u |x| + u
@@ -150,7 +156,7 @@ class Model {
     const W speed = length(widened<W>(f.velocity));
     const W dt = elapsed(f.since, asked);
     const W farthest = std::max(length(widened<W>(f.position)), length(position(i, asked)));
-    const W times = W(scene.start_time < 0 ? -scene.start_time : scene.start_time) + W(asked.hi);
+    const W times = start_of_clock() + W(asked.hi);
     return known + W(2) * precision.u * (n * (farthest + times * speed) + speed * dt);
   }
 

@@ -29,7 +29,9 @@ Instant<Number> instant_in_state(const HexTime& t) {
     const exact::DoubleWord sum = exact::two_sum(hi, lo);  // of a float trace hi is the nearest float
     return {sum.hi, sum.lo};
   }
-  return {hi + lo, Number(0)};
+  const Number sum = hi + lo;
+  if (!(sum - sum == Number(0))) return {sum, Number(0)};
+  return in_two_numbers<Number>(dyadic(hi) + dyadic(lo));
 }
 
 template <typename Number>

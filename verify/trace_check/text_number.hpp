@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "reference/equations/dyadic.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "verify/trace_check/exact_sum.hpp"
@@ -36,27 +37,46 @@ inline std::optional<double> number_of<double>(std::string_view text) {
   return hex.value;
 }
 
-/// The number that a time on the scene's clock is after start_time. The difference is formed exactly: beside
-/// a late start a sum hi + lo has more digits than a Number.
-template <typename Number>
-Instant<Number> instant_of(const HexDigits& digits, double start_time) {
+/// What a time on the scene's clock is after start_time, exactly.
+inline Dyadic since_start(const HexDigits& digits, double start_time) {
   using boost::multiprecision::cpp_int;
-  using std::ldexp;
   const std::size_t kept = std::min(digits.digits.size(), kDigitsOfATime);
   cpp_int value = kept == 0 ? cpp_int(0) : cpp_int("0x" + std::string(digits.digits.substr(0, kept)));
   if (digits.negative) value = -value;
-  long exponent = digits.exponent + 4 * static_cast<long>(digits.digits.size() - kept);
-  if (start_time != 0) {
-    constexpr int kBits = std::numeric_limits<double>::digits;
-    int start_exponent = 0;
-    cpp_int start(ldexp(std::frexp(start_time, &start_exponent), kBits));
-    start_exponent -= kBits;
-    const long lowest = std::min<long>(exponent, start_exponent);
-    value = (value << static_cast<unsigned>(exponent - lowest)) -
-            (start << static_cast<unsigned>(start_exponent - lowest));
-    exponent = lowest;
-  }
-  return {ldexp(Number(value), static_cast<int>(exponent)), Number(0)};
+  const long exponent = digits.exponent + 4 * static_cast<long>(digits.digits.size() - kept);
+  return Dyadic{value, exponent} - dyadic(start_time);
+}
+
+/// As hi + lo: 2⁻⁸³³ of a time are no rest where it is late and something comes soon after it.
+template <typename Number>
+Instant<Number> in_two_numbers(const Dyadic& t) {
+  using std::ldexp;
+  const auto rounded = [](const Dyadic& x) {
+    return Number(ldexp(Number(x.digits), static_cast<int>(x.exponent)));
+  };
+  const Number hi = rounded(t);
+  const bool is_one =
+      t.sign() == 0 || static_cast<long>(msb(abs(t.digits))) < std::numeric_limits<Number>::digits;
+  return {hi, is_one ? Number(0) : rounded(t - dyadic(hi))};
+}
+
+/// The time that one on the scene's clock is after start_time. The difference is formed exactly: beside a
+/// late start a sum hi + lo has more digits than a Number.
+template <typename Number>
+Instant<Number> instant_of(const HexDigits& digits, double start_time) {
+  return in_two_numbers<Number>(since_start(digits, start_time));
+}
+
+/// As hi + lo; infinite beyond the doubles.
+inline Instant<double> in_two_doubles(const Dyadic& t) {
+  const Dyadic one{1, 0};
+  const auto towards_zero = [&](const Dyadic& x) {
+    return rounded_quotient<double>(x, one, x.sign() < 0 ? Rounding::up : Rounding::down);
+  };
+  double hi = towards_zero(t);
+  if (std::isinf(hi)) return {hi, 0};
+  if (std::fabs(hi) < std::numeric_limits<double>::max()) hi = nearest<double>(t);
+  return {hi, towards_zero(t - dyadic(hi))};
 }
 
 /// Pieces of 52 bits are doubles. Their sum with −start_time is one of two doubles, but not every partial sum
@@ -76,7 +96,7 @@ inline Instant<double> instant_of(const HexDigits& digits, double start_time) {
       piece = piece * 16 + (digit <= '9' ? digit - '0' : digit - 'a' + 10);
     }
     piece = std::ldexp(piece, static_cast<int>(digits.exponent + 4 * (length - end)));
-    if (std::isinf(piece)) return {digits.negative ? -piece : piece, 0};
+    if (std::isinf(piece)) return in_two_doubles(since_start(digits, start_time));
     sum.add(digits.negative ? -piece : piece);
   }
   const double hi = sum.rounded();

@@ -40,6 +40,40 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
   });
 }
 
+/// The clock of the end of a minimal trace is any evaluation of (1 − e^{−γT})/γ, T being what its t is after
+/// the start: within 8u/γ for a T that is off by 2u(|T| + |start|). docs/check.md, "A minimal trace".
+template <typename Number>
+void judge_minimal_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
+  using W = Work<Number>;
+  using std::abs;
+  const double gamma = c.model.scene.drag->gamma;
+  // The s of an end, and the time that is printed, may be doubles whatever the scalar.
+  const W u = std::max(c.u(), W(std::numeric_limits<double>::epsilon() / 2));
+  const W of_time = W(2) * u * (abs(W(end.duration->hi)) + abs(W(c.model.scene.start_time)));
+  const Dyadic off = dyadic(W(c.scale() * W(8) * u / W(gamma)));
+  const Dyadic blur = dyadic(W(c.scale() * of_time));
+  const Dyadic s = lifted(end.t), T = lifted(*end.duration);
+  const Dyadic least = s - off, most = s + off;
+  const auto is_reached = [&](const Dyadic& clock) {
+    return (Dyadic{1, 0} - dyadic(gamma) * clock).sign() > 0;
+  };
+  const bool too_late =
+      least.sign() > 0 &&
+      (!is_reached(least) || exact::compare_drag_time(gamma, least, T + blur) == exact::Sign::positive);
+  const bool too_early =
+      most.sign() < 0 ||
+      (is_reached(most) && exact::compare_drag_time(gamma, most, T - blur) == exact::Sign::negative);
+  c.tally.demand(Rule::end, !too_late && !too_early, [&](Finding& f) {
+    f.message = fmt::format("the clock s = {} is not that of the end after {}: s = (1 − e^{{−γT}})/γ is {}",
+                            shown(W(end.t.hi)), shown(W(end.duration->hi)), too_late ? "less" : "more");
+  });
+  const bool says_nothing =
+      T.sign() > 0 && (!is_reached(off) || exact::compare_drag_time(gamma, off, T) == exact::Sign::positive);
+  if (says_nothing && !too_late && !too_early) {
+    c.tally.not_judged(Rule::end, "s of an end for which 1 − e^{−γT} is below its rounding");
+  }
+}
+
 /// The clock of an end by duration is the last number of the scalar (of double for a wider one) before the
 /// time that is printed.
 template <typename Number>
@@ -47,7 +81,7 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
   const Scene& scene = c.model.scene;
   if (!scene.drag) return;
   if (!end.duration) return judge_drag_time(c, Rule::end, end.t, end.time);
-  if (c.minimal) return;
+  if (c.minimal) return judge_minimal_drag_end(c, end);
   const double gamma = scene.drag->gamma;
   const Dyadic duration = lifted(*end.duration);
   const auto s = static_cast<double>(end.t.hi);
@@ -55,13 +89,14 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
                            ? static_cast<double>(std::nextafter(static_cast<float>(s), HUGE_VALF))
                            : std::nextafter(s, HUGE_VAL);
   const auto comes = [&](double clock) {
+    if (!std::isfinite(clock)) return false;
     const Dyadic at = dyadic(clock);
     return (Dyadic{1, 0} - dyadic(gamma) * at).sign() > 0 &&
            exact::compare_drag_time(gamma, at, duration) != exact::Sign::positive;
   };
   c.tally.demand(
       Rule::end,
-      lifted(end.t).sign() >= 0 && (lifted(end.t) - dyadic(s)).sign() == 0 && comes(s) && !comes(above),
+      lifted(end.t).sign() >= 0 && comes(s) && (lifted(end.t) - dyadic(s)).sign() == 0 && !comes(above),
       [&](Finding& f) {
         f.message = fmt::format("the clock s = {:.17g} is not the last one before the end after {}", s,
                                 shown(Work<Number>(end.duration->hi), 17));

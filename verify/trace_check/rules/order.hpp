@@ -38,7 +38,7 @@ void judge_order(const Context<Number>& c, const EventLine<Number>& event) {
   const W apart = elapsed(model.now, event.t);
   const W dt(*event.dt);
   // A minimal trace rounds its times, too.
-  const W start = c.minimal ? W(abs(W(model.scene.start_time))) : W(0);
+  const W start = c.minimal ? model.start_of_clock() : W(0);
   const W times = abs(W(event.t.hi)) + abs(W(model.now.hi)) + W(2) * start;
   const W unit =
       half_ulp(c, dt) + model.precision.smallest + c.u() * (c.minimal ? W(1) : W(2) * c.u()) * times;

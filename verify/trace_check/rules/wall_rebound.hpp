@@ -39,6 +39,32 @@ BodiesNow<Number> bodies_at_wall(const Context<Number>& c, const EventLine<Numbe
 
 namespace detail {
 
+/// Whether a particle is before the part of a box that it rebounds from. Which part that is hangs on the
+/// exact touch, or where a graze turns, and the time that is recorded may be any other one within the error
+/// of the timing: near a graze √(Q/a) away.
+template <typename Number>
+Within faces_at_event(const Context<Number>& c, const EventLine<Number>& event,
+                      const WallFlight<Number>& flight, const Work<Number>& dt) {
+  using W = Work<Number>;
+  const W error = c.time_error(event.t);
+  W from = dt - error, until = dt + error;
+  const auto widen = [&](const W& earliest, const W& latest) {
+    from = std::min(from, earliest);
+    until = std::max(until, latest);
+  };
+  const Due<W> expected = due(flight);
+  bool is_exact = false;
+  if constexpr (std::is_same_v<Number, double>) {
+    is_exact = c.certified();
+    const CollisionTime<double> answer =
+        is_exact ? c.exact.answer(timing_query(c, flight)) : CollisionTime<double>{};
+    if (answer.t) widen(*answer.t, *answer.t);
+  }
+  if (!is_exact && !expected.must_be_none) widen(expected.earliest, expected.latest);
+  if (!(until < std::numeric_limits<W>::infinity())) return Within::rounding;
+  return in_region(c, c.model.walls[flight.n], flight.whole, std::max(W(0), from), until);
+}
+
 /// Whether a rebound comes when the particle is at the surface.
 template <typename Number>
 void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event,
@@ -46,9 +72,8 @@ void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event
   using W = Work<Number>;
   using std::abs;
   const W dt = elapsed(flight.pair.start, event.t);
-  const W early = std::max(W(0), W(dt - c.time_error(event.t))), late = dt + c.time_error(event.t);
   if (c.model.walls[flight.n].surface.region) {
-    const Within here = in_region(c, c.model.walls[flight.n], flight.whole, early, late);
+    const Within here = faces_at_event(c, event, flight, dt);
     c.tally.demand(Rule::contact, here != Within::no, [&](Finding& f) {
       f.particles = {c.model.id(flight.i)};
       f.message = fmt::format("{} rebound where another part of the box is nearer", wall_name(c, flight));
