@@ -251,7 +251,7 @@ TEST(Conversation, GarbageNeverBreaksIt) {
 
 // What fails behind the reading of a request is told with its seq: here the system has no file for a trace.
 TEST(Conversation, AnErrorOfOursKeepsTheSeq) {
-#ifdef TPS_SANITIZED
+#ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer asks through a pipe whether an address can be read, and takes one for bad "
                   "that it cannot ask about";
 #endif
