@@ -172,7 +172,7 @@ std::string text_of_random(const Scene& scene, SceneStyle style) {
     if (tethering["form"] == "always") tethering.erase("form");
     if (tethering["break"] == "never") tethering.erase("break");
   }
-  return style == SceneStyle::compact ? json_text(json) : json.dump(2) + "\n";
+  return json_text(json) + (style == SceneStyle::compact ? "" : "\n");
 }
 
 std::optional<Scene> random_scene(const std::vector<std::string>& features, std::uint64_t seed,

@@ -23,8 +23,7 @@ std::string eval_footer() {
     fmt::format_to(std::back_inserter(text), "  {:<19} {:<15} {}\n", o.name, eval::rule_name(o),
                    fmt::join(o.keys, " "));
   }
-  text +=
-      "Without --scalar, by --in (order also by words such as first.kind=block first.u_A=0,0):\n";
+  text += "Without --scalar, by --in (order also by words such as first.kind=block first.u_A=0,0):\n";
   for (const protocol::Compound& c : protocol::compounds()) {
     fmt::format_to(std::back_inserter(text), "  {:<19} {}, {}: {}\n", c.name, c.precision, c.what, c.input);
   }

@@ -223,8 +223,10 @@ std::optional<std::vector<double>> json_numbers(const JsonValue& value) {
   return numbers;
 }
 
-/// What of a value is no number: the value itself, or the first of its components that is none.
+/// What of a value is no number, itself or the first of its components that is none; and what is read.
 std::string why_no_numbers(const JsonValue& value) {
+  const std::string allowed =
+      R"(a number, a string with a hexadecimal float or "inf", or a list of 2 or 3 of them)";
   const JsonValue* bad = &value;
   std::string which;
   if (value.array() != nullptr) {
@@ -234,11 +236,11 @@ std::string why_no_numbers(const JsonValue& value) {
     which = fmt::format("component {} ", found - value.array()->begin());
   }
   if (bad->string() == nullptr)
-    return which + (which.empty() ? "is none of what is read" : "is no number; allowed");
+    return which.empty() ? "must be " + allowed : which + "is no number; allowed: " + allowed;
   const std::string& text = *bad->string();
   const bool is_hex = parse_hex_float(text).verdict == HexFloat::Verdict::not_a_double;
-  return fmt::format("{}is \"{}\", {}; allowed", which, printable(text, 60),
-                     is_hex ? "a number that no double has" : "which is no hexadecimal float");
+  return fmt::format("{}is \"{}\", {}; allowed: {}", which, printable(text, 60),
+                     is_hex ? "a number that no double has" : "which is no hexadecimal float", allowed);
 }
 
 Input read_members(Reader reader, const JsonValue& object, const std::string& place,
@@ -253,10 +255,7 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
     if (const std::optional<std::vector<double>> numbers = json_numbers(member.value)) {
       reader.take(member.key, *numbers, member.key_line, pointer);
     } else if (reader.known(member.key, member.key_line, pointer)) {
-      reader.problem(
-          member.value.line, pointer,
-          why_no_numbers(member.value) +
-              ": a number, a string with a hexadecimal float or \"inf\", or a list of 2 or 3 of them");
+      reader.problem(member.value.line, pointer, why_no_numbers(member.value));
       reader.unreadable(member.key);
     }
   }
