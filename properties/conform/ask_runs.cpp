@@ -10,7 +10,6 @@
 #include "properties/conform/judge_trace.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/conform/trace_features.hpp"
-#include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
 
 namespace tps::properties::conform {

@@ -15,7 +15,6 @@
 #include "properties/conform/takes.hpp"
 #include "properties/explore/report.hpp"
 #include "properties/implementations/reference.hpp"
-#include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/protocol/catalogue.hpp"

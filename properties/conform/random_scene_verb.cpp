@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "properties/conform/random_scene.hpp"
-#include "reference/scene/write_scene.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/write_result.hpp"

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "properties/conform/random_scene.hpp"
 #include "properties/implementations/child_process.hpp"
 #include "properties/runs/scratch_file.hpp"
-#include "reference/scene/write_scene.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {

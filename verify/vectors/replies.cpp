@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "reference/text/file_kind.hpp"
 #include "reference/text/input_error.hpp"
