@@ -21,7 +21,7 @@ class Asking:
         """Its exit code and what it prints."""
         level = [] if "--level" in words else ["--level", "1"]
         cases = [] if "--cases" in words else ["--cases", "5"]
-        done = subprocess.run([TPS, "conform", "--quiet", *level, *cases, "--shrink-seconds", self.shrink_seconds, *words], capture_output=True, timeout=60)
+        done = subprocess.run([TPS, "conform", "--quiet", *level, *cases, "--shrink-seconds", self.shrink_seconds, *words], capture_output=True, timeout=600)
         return done.returncode, done.stdout.decode(), done.stderr.decode()
 
     def report(self, *words):

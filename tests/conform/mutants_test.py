@@ -35,7 +35,7 @@ def report_on(tps, source, mutant, program, *options):
         mutate(adapters, mutant)
         command = [tps, "conform", "--quiet", "--level", getattr(mutant, "level", "1"), "--cases", "5", "--shrink-seconds", "0", "--format", "json", *options,
                    "--", sys.executable, "-B", "-E", "-S", str(adapters / program)]
-        done = subprocess.run(command, capture_output=True, timeout=60)
+        done = subprocess.run(command, capture_output=True, timeout=600)
         if not done.stdout:
             raise SystemExit(f"{mutant.name}: {done.stderr.decode()}")
         return done.returncode, json.loads(done.stdout)
