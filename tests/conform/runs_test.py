@@ -26,7 +26,7 @@ class Simulators(unittest.TestCase):
         path = pathlib.Path(self.folder.name) / "simulator.py"
         path.write_text("import json, subprocess, sys\n" + body)
         scenes = [] if "--scenes" in words else ["--scenes", "6"]
-        return asking.conform(*scenes, *words, "--simulator", f"{sys.executable} -B {path} {TPS}")
+        return asking.conform(*scenes, "--timeout", "120", *words, "--simulator", f"{sys.executable} -B {path} {TPS}")
 
 
 class Ends(Simulators):
@@ -55,7 +55,7 @@ class Ends(Simulators):
         for most, right in (("q['in']['max_events']", 0), ("1", 1)):
             path = pathlib.Path(self.folder.name) / "simulate.py"
             path.write_text("import json, subprocess, sys\n" + simulate.replace("MOST", most))
-            code, out, err = asking.conform("--scenes", "6", "--ops", "simulate", "--", sys.executable, "-B", str(path), TPS, self.folder.name + "/scene.json")
+            code, out, err = asking.conform("--timeout", "120", "--scenes", "6", "--ops", "simulate", "--", sys.executable, "-B", str(path), TPS, self.folder.name + "/scene.json")
             self.assertEqual(code, right, out + err)
             if right == 1:
                 self.assertIn("the run ends as max_events after 1 events; it was asked for 1000 events", out)
