@@ -237,17 +237,15 @@ TEST(RegionPlan, RegionsGrowAsLongAsABoxHasRoomAndShrinkToWhatTheyWere) {
 }
 
 TEST(RegionWidths, GrowWhereManyCrossAndFewAreFoundAndShrinkWhereManyAre) {
-  using Advice = RegionWidths::Advice;
+  enum class Advice { keep, widen, narrow };
   const auto advice = [](int crossings_per_touch, std::size_t found) {
     RegionWidths widths;
     widths.reset(10);
     for (int n = 0; n < 10000; ++n) {
       for (int k = 0; k < crossings_per_touch; ++k) {
-        const Advice crossed = widths.crossed(0, found);
-        if (crossed != Advice::keep) return crossed;
+        if (widths.crossed(0, found)) return Advice::widen;
       }
-      const Advice touched = widths.touched(0, found);
-      if (touched != Advice::keep) return touched;
+      if (widths.touched(0, found)) return Advice::narrow;
     }
     return Advice::keep;
   };

@@ -264,8 +264,9 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
 
 }  // namespace
 
-Input read_words(const Operation& operation, const std::vector<std::string>& words) {
-  Reader reader(operation, "command line");
+Input read_words(const Operation& operation, const std::vector<std::string>& words,
+                 const std::string& source) {
+  Reader reader(operation, source);
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {

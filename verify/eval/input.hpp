@@ -19,7 +19,8 @@ struct Input {
 
 /// Reads "key=value" words: decimals (the nearest double), hexadecimal floats (exact), "inf"; the components
 /// of a vector with commas between them. Throws InputError with everything that is wrong.
-Input read_words(const Operation& operation, const std::vector<std::string>& words);
+Input read_words(const Operation& operation, const std::vector<std::string>& words,
+                 const std::string& source = "command line");
 
 /// Reads the object that the protocol calls "in", or a whole request that has it; "-" is standard input.
 /// Throws InputError with everything that is wrong.

@@ -65,14 +65,8 @@ certified::TimingInput query_from_words(const std::vector<std::string>& words, c
                                    given ? *given : "missing")}});
   }
   if (given == "tether") query.kind = exact::Kind::tether;
-  try {
-    query.numbers = eval::read_words(query.operation(), numbers);
-  } catch (const InputError& error) {
-    std::vector<InputProblem> problems = error.problems();
-    for (InputProblem& problem : problems)
-      problem.message = prefix.substr(0, prefix.size() - 1) + ": " + problem.message;
-    throw InputError(std::move(problems));
-  }
+  const std::string which = prefix.substr(0, prefix.size() - 1);
+  query.numbers = eval::read_words(query.operation(), numbers, "command line, " + which);
   return query;
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -170,27 +171,28 @@ std::optional<std::string> wrong_classes(const Json& accept) {
 /// What is no part of a case, or not as it should be: an answer that is stored beside the proven one is
 /// believed by nobody, and a key that is misspelt says nothing.
 std::optional<std::string> wrong_in_form(const Json& known_case, const Json& proven) {
-  const auto is_whole = [](const Json& value, std::int64_t low, std::int64_t high) {
-    return value.is_number_integer() && value >= low && value <= high;
+  struct Part {
+    const char* allowed;
+    bool (*is_right)(const Json&);
   };
-  const auto is_words = [](const Json& list) {
-    return list.is_array() &&
-           std::all_of(list.begin(), list.end(), [](const Json& word) { return word.is_string(); });
-  };
+  constexpr auto is_word = [](const Json& x) { return x.is_string(); };
+  static const std::map<std::string, Part> parts{
+      {"rev",
+       {"a whole number from 1",
+        [](const Json& x) { return x.is_number_integer() && x >= 1 && x <= 1'000'000; }}},
+      {"level", {"1, 2 or 3", [](const Json& x) { return x.is_number_integer() && x >= 1 && x <= 3; }}},
+      {"tags",
+       {"a list of words",
+        [](const Json& x) { return x.is_array() && std::all_of(x.begin(), x.end(), is_word); }}},
+      {"twin", {"a word", is_word}},
+      {"why", {"a word", is_word}}};
   for (const auto& [key, value] : known_case.items()) {
     if (proven.contains(key) || key == "id" || key == "in" || key == "accept") continue;
-    const char* allowed = key == "rev"                    ? "a whole number from 1"
-                          : key == "level"                ? "1, 2 or 3"
-                          : key == "tags"                 ? "a list of words"
-                          : key == "twin" || key == "why" ? "a word"
-                                                          : nullptr;
-    if (allowed == nullptr)
+    const auto part = parts.find(key);
+    if (part == parts.end())
       return fmt::format("{} is no key of this case: nothing of the kind is proven", printable(key, 100));
-    const bool is_right = key == "rev"     ? is_whole(value, 1, 1'000'000)
-                          : key == "level" ? is_whole(value, 1, 3)
-                          : key == "tags"  ? is_words(value)
-                                           : value.is_string();
-    if (!is_right) return fmt::format("{} is {}; allowed: {}", key, shown(value), allowed);
+    if (!part->second.is_right(value))
+      return fmt::format("{} is {}; allowed: {}", key, shown(value), part->second.allowed);
   }
   return std::nullopt;
 }

@@ -62,8 +62,9 @@ TimingQuery coincident(Random& random, Kind kind, int dimension) {
   TimingQuery query = exact::strata::plain(random, kind, dimension);
   query.u_B = query.u_A;
   if (random.integer(0, 7) == 0) query.v_B = query.v_A;
-  return random.coin() ? query
-                       : exact::strata::scaled(query, random.integer(-300, 300), random.integer(-300, 300));
+  if (random.coin()) return query;
+  const int speed = random.integer(-300, 300), length = random.integer(-300, 300);
+  return exact::strata::scaled(query, length, speed);
 }
 
 }  // namespace

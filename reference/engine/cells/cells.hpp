@@ -51,7 +51,9 @@ class Cells final : public Detector<Scalar, D> {
       const std::size_t before = neighbours_.size();
       neighbourhood_.around(world, i, {}, neighbours_);
       ends_.push_back(neighbours_.size());
-      if (widths_.narrow_where_many_are_found(neighbourhood_, world, i, ends_.back() - before))
+      const int level = neighbourhood_.level_of(world, i);
+      if (level != RegionPlan::kNone && widths_.touched(level, ends_.back() - before) &&
+          neighbourhood_.narrow(level))
         return start(world, false);
     }
     std::size_t n = 0;
@@ -177,7 +179,9 @@ class Cells final : public Detector<Scalar, D> {
     asked_at_ = t;
     set_look(world, i, t);
     const std::vector<int>& met = around(world, i, left);
-    if (widths_.widen_where_all_cross(neighbourhood_, world, i, met.size())) return start(world, false);
+    const int level = neighbourhood_.level_of(world, i);
+    // With regions of another width all start anew, as a run does that is resumed.
+    if (widths_.crossed(level, met.size()) && neighbourhood_.widen(world, level)) return start(world, false);
     const Asker asker = predictor_.asker(world, i, time_of_asking(world));
     for (const int j : met) foresee(asker, i, j);
     take_up_foreseen(world);

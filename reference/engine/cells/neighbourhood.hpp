@@ -23,11 +23,11 @@ class Neighbourhood {
   explicit Neighbourhood(const World<Scalar, D>& world, const TimingChoice& timing)
       : plan_(RegionPlan::of<Scalar>(world.scene, timing)) {
     if (world.scene.box) wraps_.assign(world.particles.size(), {});
-    bound_roaming(world);
   }
 
   /// Files every particle at its place now; with `everywhere` it is visited by all, wherever it is.
   void place_all(const World<Scalar, D>& world, bool everywhere) {
+    if (world.scene.box) longest_roam_ = plan_.longest_roam(*world.scene.box, D);
     const std::size_t size = world.particles.size();
     for (int k = 0; world.box && k < D; ++k) edges_[at(k)] = static_cast<double>(world.box->edges()[k]);
     filed_.assign(size, {});
@@ -59,16 +59,8 @@ class Neighbourhood {
 
   /// Makes the regions of a level twice as wide, or takes that back. @return whether it did: then everyone is
   /// to be filed anew.
-  bool widen(const World<Scalar, D>& world, int level) {
-    if (!plan_.widen(level, world.scene.box, D)) return false;
-    bound_roaming(world);
-    return true;
-  }
-  bool narrow(const World<Scalar, D>& world, int level) {
-    if (!plan_.narrow(level)) return false;
-    bound_roaming(world);
-    return true;
-  }
+  bool widen(const World<Scalar, D>& world, int level) { return plan_.widen(level, world.scene.box, D); }
+  bool narrow(int level) { return plan_.narrow(level); }
 
   /// Asks memory for where a particle is filed.
   void prefetch(int i) const { __builtin_prefetch(&filed_[at(i)]); }
@@ -209,10 +201,6 @@ class Neighbourhood {
   using Wraps = std::array<double, kAxes>;  ///< edges by which a place is off the box
 
   static constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
-  void bound_roaming(const World<Scalar, D>& world) {
-    if (world.scene.box) longest_roam_ = plan_.longest_roam(*world.scene.box, D);
-  }
 
   void roam(int i) {
     roams_[at(i)] = true;

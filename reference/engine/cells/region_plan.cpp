@@ -115,7 +115,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
       const double side = (std::max(partner, level_size / 16) + 3 * margin_) / regions;
       const double bucket = level_size + 3 * margin_;
       const int shift = static_cast<int>(std::floor(std::log2(bucket / side) + 0.5));
-      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift), 0, 0});
+      levels_.push_back({side * (1 + 0x1p-20), std::max(0, shift), 0});
     }
     level_of_[a] = static_cast<int>(levels_.size()) - 1;
   }
@@ -126,7 +126,7 @@ RegionPlan::RegionPlan(const Scene& scene, double u, double largest, double smal
     for (std::size_t b = 0; b < n; ++b) radius = std::min(radius, d.tethering[a * n + b]);
     if (level_of_[a] != kNone || !(radius < kInfinity)) continue;
     level_of_[a] = static_cast<int>(levels_.size());
-    levels_.push_back({radius / 16, 0, 0, 0});
+    levels_.push_back({radius / 16, 0, 0});
   }
 
   reach_.assign(n * levels_.size(), -1);
@@ -165,31 +165,26 @@ void RegionPlan::count_regions_within_reach() {
   }
 }
 
-bool RegionPlan::widen(int level, const std::optional<PeriodicEdges>& box, int dimension) {
-  RegionLevel& widened = levels_[at(level)];
-  if (widened.doublings == kMostDoublings) return false;
-  if (box) {
-    const double side = widened.side;
-    const double room = spare_room(*box, dimension);
-    widened.side = 2 * side;
-    const double left = spare_room(*box, dimension);
-    widened.side = side;
-    if (!(left > room / 2)) return false;
-  }
-  widened.side *= 2;
-  --widened.shift;
-  ++widened.doublings;
+void RegionPlan::scale(int level, int doublings) {
+  RegionLevel& scaled = levels_[at(level)];
+  scaled.side = std::ldexp(scaled.side, doublings);
+  scaled.shift -= doublings;
+  scaled.doublings += doublings;
   count_regions_within_reach();
-  return true;
+}
+
+bool RegionPlan::widen(int level, const std::optional<PeriodicEdges>& box, int dimension) {
+  if (levels_[at(level)].doublings == kMostDoublings) return false;
+  const double room = box ? spare_room(*box, dimension) : kInfinity;
+  scale(level, 1);
+  if (!box || spare_room(*box, dimension) > room / 2) return true;
+  scale(level, -1);
+  return false;
 }
 
 bool RegionPlan::narrow(int level) {
-  RegionLevel& narrowed = levels_[at(level)];
-  if (narrowed.doublings == 0) return false;
-  narrowed.side /= 2;
-  ++narrowed.shift;
-  --narrowed.doublings;
-  count_regions_within_reach();
+  if (levels_[at(level)].doublings == 0) return false;
+  scale(level, -1);
   return true;
 }
 

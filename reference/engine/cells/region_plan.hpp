@@ -113,6 +113,8 @@ class RegionPlan {
 
   static std::size_t at(int n) { return static_cast<std::size_t>(n); }
   void count_regions_within_reach();
+  /// Makes a level's regions 2^doublings times as wide.
+  void scale(int level, int doublings);
   /// W/2 − L less what two particles in their regions can move relative to each other.
   double spare_room(const PeriodicEdges& box, int dimension) const;
 

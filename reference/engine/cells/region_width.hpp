@@ -15,49 +15,31 @@ namespace tps {
 /// stay as they are.
 class RegionWidths {
  public:
-  enum class Advice { keep, widen, narrow };
-
-  /// What follows from a crossing, or from a touch, of a particle i that has found so many to ask. @return
-  /// whether the regions of its level have another width now: then everyone starts anew, as in a run that is
-  /// resumed.
-  template <typename Neighbourhood, typename World>
-  bool widen_where_all_cross(Neighbourhood& neighbourhood, const World& world, int i, std::size_t found) {
-    const int level = neighbourhood.level_of(world, i);
-    return crossed(level, found) == Advice::widen && neighbourhood.widen(world, level);
-  }
-  template <typename Neighbourhood, typename World>
-  bool narrow_where_many_are_found(Neighbourhood& neighbourhood, const World& world, int i,
-                                   std::size_t found) {
-    return neighbourhood.has_level(world, i) &&
-           touched(neighbourhood.level_of(world, i), found) == Advice::narrow &&
-           neighbourhood.narrow(world, neighbourhood.level_of(world, i));
-  }
-
   void reset(std::size_t particles) {
     patience_ = 64 + 4 * static_cast<std::uint64_t>(particles);  // as dear as filing everyone anew, or dearer
     counts_.clear();
   }
 
-  /// A particle of a level has left its region and found so many to ask.
-  Advice crossed(int level, std::size_t found) {
+  /// A particle of a level has left its region and found so many to ask. @return whether wider regions pay.
+  bool crossed(int level, std::size_t found) {
     Count& count = of(level);
     count.found_crossing += found;
-    if (++count.crossings < patience_) return Advice::keep;
+    if (++count.crossings < patience_) return false;
     const bool is_idle = count.crossings > kCrossingsPerTouch * count.touches;
     const bool finds_few =
         count.found_crossing < kFew * count.crossings && count.found_touched <= kFew * count.touches;
     count = {};
-    return is_idle && finds_few ? Advice::widen : Advice::keep;
+    return is_idle && finds_few;
   }
 
-  /// A particle of a level was touched and has found so many.
-  Advice touched(int level, std::size_t found) {
+  /// A particle of a level was touched and has found so many. @return whether narrower regions do.
+  bool touched(int level, std::size_t found) {
     Count& count = of(level);
     count.found_touched += found;
-    if (++count.touches < patience_) return Advice::keep;
+    if (++count.touches < patience_) return false;
     const bool finds_many = count.found_touched > kMany * count.touches;
     count = {};
-    return finds_many ? Advice::narrow : Advice::keep;
+    return finds_many;
   }
 
  private:

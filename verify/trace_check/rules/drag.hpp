@@ -15,6 +15,11 @@ Dyadic lifted(const Instant<Number>& t) {
   return dyadic(t.hi) + dyadic(t.lo);
 }
 
+/// Whether a time has the clock s: γs < 1.
+inline bool is_reached(double gamma, const Dyadic& s) {
+  return (Dyadic{1, 0} - dyadic(gamma) * s).sign() > 0;
+}
+
 /// The time of an event or a state is the double nearest to start − ln(1 − γs)/γ, and there is one: γs < 1.
 /// Of minimal traces, whose logarithm may be any library's, only the latter is judged.
 template <typename Number>
@@ -23,7 +28,7 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
   const Scene& scene = c.model.scene;
   if (!scene.drag || !time) return;
   const double gamma = scene.drag->gamma;
-  const bool happens = (Dyadic{1, 0} - dyadic(gamma) * lifted(s)).sign() > 0;
+  const bool happens = is_reached(gamma, lifted(s));
   c.tally.demand(rule, happens, [&](Finding& f) {
     f.message = fmt::format("γ s = {} is not below 1: under drag it never comes to that",
                             shown(Work<Number>(gamma) * Work<Number>(s.hi)));
@@ -54,21 +59,19 @@ void judge_minimal_drag_end(const Context<Number>& c, const EndLine<Number>& end
   const Dyadic blur = dyadic(W(c.scale() * of_time));
   const Dyadic s = lifted(end.t), T = lifted(*end.duration);
   const Dyadic least = s - off, most = s + off;
-  const auto is_reached = [&](const Dyadic& clock) {
-    return (Dyadic{1, 0} - dyadic(gamma) * clock).sign() > 0;
-  };
   const bool too_late =
-      least.sign() > 0 &&
-      (!is_reached(least) || exact::compare_drag_time(gamma, least, T + blur) == exact::Sign::positive);
+      least.sign() > 0 && (!is_reached(gamma, least) ||
+                           exact::compare_drag_time(gamma, least, T + blur) == exact::Sign::positive);
   const bool too_early =
       most.sign() < 0 ||
-      (is_reached(most) && exact::compare_drag_time(gamma, most, T - blur) == exact::Sign::negative);
+      (is_reached(gamma, most) && exact::compare_drag_time(gamma, most, T - blur) == exact::Sign::negative);
   c.tally.demand(Rule::end, !too_late && !too_early, [&](Finding& f) {
     f.message = fmt::format("the clock s = {} is not that of the end after {}: s = (1 − e^{{−γT}})/γ is {}",
                             shown(W(end.t.hi)), shown(W(end.duration->hi)), too_late ? "less" : "more");
   });
   const bool says_nothing =
-      T.sign() > 0 && (!is_reached(off) || exact::compare_drag_time(gamma, off, T) == exact::Sign::positive);
+      T.sign() > 0 &&
+      (!is_reached(gamma, off) || exact::compare_drag_time(gamma, off, T) == exact::Sign::positive);
   if (says_nothing && !too_late && !too_early) {
     c.tally.not_judged(Rule::end, "s of an end for which 1 − e^{−γT} is below its rounding");
   }
@@ -91,8 +94,7 @@ void judge_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
   const auto comes = [&](double clock) {
     if (!std::isfinite(clock)) return false;
     const Dyadic at = dyadic(clock);
-    return (Dyadic{1, 0} - dyadic(gamma) * at).sign() > 0 &&
-           exact::compare_drag_time(gamma, at, duration) != exact::Sign::positive;
+    return is_reached(gamma, at) && exact::compare_drag_time(gamma, at, duration) != exact::Sign::positive;
   };
   c.tally.demand(
       Rule::end,
