@@ -168,6 +168,10 @@ std::optional<std::string> wrong_classes(const Json& accept) {
   return std::nullopt;
 }
 
+bool is_word(const Json& json) {
+  return json.is_string();
+}
+
 /// What is no part of a case, or not as it should be: an answer that is stored beside the proven one is
 /// believed by nobody, and a key that is misspelt says nothing.
 std::optional<std::string> wrong_in_form(const Json& known_case, const Json& proven) {
@@ -175,7 +179,6 @@ std::optional<std::string> wrong_in_form(const Json& known_case, const Json& pro
     const char* allowed;
     bool (*is_right)(const Json&);
   };
-  constexpr auto is_word = [](const Json& x) { return x.is_string(); };
   static const std::map<std::string, Part> parts{
       {"rev",
        {"a whole number from 1",
