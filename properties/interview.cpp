@@ -11,6 +11,7 @@
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/printable.hpp"
 
 namespace tps::properties {
 namespace {
@@ -57,7 +58,8 @@ const Json& field(const std::string& op, const Json& out, const char* key) {
 std::string word_of(const std::string& op, const Json& out, const char* key) {
   const Json& value = field(op, out, key);
   if (!value.is_string()) no_answer(op, fmt::format("has {} = {}, which is no word", key, tps::shown(value)));
-  return value.get<std::string>();
+  constexpr std::size_t kLongestWord = 100;
+  return printable(value.get<std::string>(), kLongestWord);  // reports quote it
 }
 
 WideVector vector_of(const std::string& op, const char* key, const Json& value, int dimension) {

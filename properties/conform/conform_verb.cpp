@@ -174,6 +174,7 @@ int run_conform(const ConformArguments& a) {
   NamedFiles()
       .reads("--library", a.library)
       .reads("--expect-fail", a.expected)
+      .reads("--profile", is_built_in(a.profile) ? "" : a.profile)
       .writes("--report", a.report)
       .require_distinct();
   check_words("--features", a.features, check_features);

@@ -131,8 +131,10 @@ Grade graded_time(const Question& question, const Json& out, const Comparison& c
   return with(Class::wrong, c);
 }
 
-Grade graded_order(const Question& question, const Comparison& c, const Format& format) {
-  switch (margin_of_order(half_of(question.in, "first"), half_of(question.in, "second"), format.bits)) {
+Grade graded_order(const Question& question, const Json& out, const Comparison& c, const Format& format) {
+  const Json order = out.value("order", Json());
+  switch (margin_of_order(half_of(question.in, "first"), half_of(question.in, "second"),
+                          order.is_string() ? order.get<std::string>() : "", format.bits)) {
     case Margin::stable:
       return with(Class::beyond, c, "the times are too near to tell in this precision");
     case Margin::printed:
@@ -219,7 +221,7 @@ Grade graded(const KnownQuestion& known, const Json& out, const Format& format, 
     return is_worse ? with(Class::worse, best, what_is_lost(known.question)) : with(Class::rounding, best);
   }
   Grade found = is_timing(known)               ? graded_time(known.question, out, best, format)
-                : known.question.op == "order" ? graded_order(known.question, best, format)
+                : known.question.op == "order" ? graded_order(known.question, out, best, format)
                                                : graded_response(known, out, best, format, stable, k);
   const bool is_lost = found.which == Class::wrong || found.which == Class::other_reading;
   if (is_lost && leaves_range(known.question, format)) return with(Class::worse, best, kOutOfRange);

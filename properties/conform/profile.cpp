@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,11 @@ std::vector<std::string> profile_names() {
   std::vector<std::string> names;
   for (const Profile& profile : built_in()) names.push_back(profile.name);
   return names;
+}
+
+bool is_built_in(const std::string& profile) {
+  const std::vector<std::string> names = profile_names();
+  return std::find(names.begin(), names.end(), profile) != names.end();
 }
 
 Profile read_profile(const std::string& name_or_file) {

@@ -13,6 +13,8 @@ namespace tps::properties::conform {
 /// double-paper in the bits of the subject.
 std::vector<std::string> profile_names();
 
+bool is_built_in(const std::string& profile);
+
 /// A profile by its name, or of a file: {"conform_profile":1,"name","fails":[class, …],"bits"?}. Throws
 /// InputError.
 Profile read_profile(const std::string& name_or_file);

@@ -1,11 +1,12 @@
 #include "properties/conform/timing_margin.hpp"
-#include "reference/equations/square_root.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "properties/laws/limits.hpp"
+#include "reference/equations/square_root.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -89,33 +90,47 @@ bool explains(const Errors& e, const LimitQuery& query, const Coefficients& q, c
   return false;
 }
 
-/// When something happens, and how far that may be off; nothing where rounding decides whether.
+/// Whether something happens, when, and how far that may be off; no time where rounding decides it.
 struct Moment {
-  bool occurs = false;
-  Wide t = 0, error = 0;
+  bool may_occur = false, may_not_occur = false;
+  std::optional<Wide> t = {};
+  Wide error = 0;
 };
 
-std::optional<Moment> moment_of(const LimitQuery& query, const Coefficients& q, const Errors& e,
-                                const Wide& u) {
+Moment moment_of(const LimitQuery& query, const Coefficients& q, const Errors& e, const Wide& u) {
   const std::vector<Verdict> verdicts = possible_verdicts(query, q, e);
-  for (const Verdict each : verdicts) {
-    if (occurs(each) != occurs(verdicts[0])) return std::nullopt;
+  Moment moment{.may_occur = std::any_of(verdicts.begin(), verdicts.end(), occurs),
+                .may_not_occur = !std::all_of(verdicts.begin(), verdicts.end(), occurs)};
+  if (std::all_of(verdicts.begin(), verdicts.end(), at_once)) {
+    moment.t = 0;
+  } else if (verdicts.size() > 1 || !moment.may_occur) {
+    return moment;
+  } else if (verdicts[0] == Verdict::turning) {
+    moment.t = -q.h / q.a;
+    moment.error = 11 * u * q.distance / square_root(q.a) * kSlack;
+  } else if (q.D > 4 * e.D) {
+    const Wide root = square_root(q.D);
+    moment.t = (query.kind == exact::Kind::block ? Wide(-q.h - root) : Wide(-q.h + root)) / q.a;
+    moment.error = e.q / root;  // 2 √D δt = δq, and as much again for the curvature
   }
-  if (!occurs(verdicts[0])) return Moment{};
-  if (verdicts.size() > 1 || (verdicts[0] == Verdict::hit && q.D <= 4 * e.D)) return std::nullopt;
-  if (at_once(verdicts[0])) return Moment{true, 0, 0};
-  if (verdicts[0] == Verdict::turning)
-    return Moment{true, -q.h / q.a, 11 * u * q.distance / square_root(q.a) * kSlack};
-  const Wide root = square_root(q.D);
-  const Wide t = (query.kind == exact::Kind::block ? Wide(-q.h - root) : Wide(-q.h + root)) / q.a;
-  return Moment{true, t, e.q / root};  // 2 √D δt = δq, and as much again for the curvature
+  return moment;
 }
 
-bool leaves_open(const std::optional<Moment>& first, const std::optional<Moment>& second, const Wide& u) {
-  if (!first || !second) return true;
-  if (!first->occurs || !second->occurs) return false;
-  const Wide apart = abs(Wide(first->t - second->t));
-  return apart <= first->error + second->error + u * (abs(first->t) + abs(second->t));
+/// Whether the first of two that happen may be said to come before the second.
+bool may_precede(const Moment& first, const Moment& second, const Wide& u) {
+  if (!first.t || !second.t) return true;
+  const Wide error = first.error + second.error + u * (abs(*first.t) + abs(*second.t));
+  return *first.t - *second.t < error;
+}
+
+bool explains_order(const std::string& order, const Moment& first, const Moment& second, const Wide& u) {
+  const bool both = first.may_occur && second.may_occur;
+  const bool before = may_precede(first, second, u), after = may_precede(second, first, u);
+  if (order == "none") return first.may_not_occur && second.may_not_occur;
+  if (order == "equal") return both && before == after;
+  if (order == "before") return first.may_occur && (second.may_not_occur || (second.may_occur && before));
+  if (order == "after") return second.may_occur && (first.may_not_occur || (first.may_occur && after));
+  return false;
 }
 
 }  // namespace
@@ -131,16 +146,17 @@ Margin margin_of(const exact::TimingQuery& query, const TimeAnswer& answer, int 
                                                                                     : Margin::none;
 }
 
-Margin margin_of_order(const exact::TimingQuery& first, const exact::TimingQuery& second, int bits) {
+Margin margin_of_order(const exact::TimingQuery& first, const exact::TimingQuery& second,
+                       const std::string& order, int bits) {
   const Wide u = ldexp(Wide(1), -bits);
   const std::array<LimitQuery, 2> asked{limit_query(first), limit_query(second)};
   const std::array<Coefficients, 2> q{Coefficients(asked[0]), Coefficients(asked[1])};
-  const auto open_by = [&](Errors (*errors)(const LimitQuery&, const Coefficients&, const Wide&)) {
-    return leaves_open(moment_of(asked[0], q[0], errors(asked[0], q[0], u), u),
-                       moment_of(asked[1], q[1], errors(asked[1], q[1], u), u), u);
+  const auto explained_by = [&](Errors (*errors)(const LimitQuery&, const Coefficients&, const Wide&)) {
+    return explains_order(order, moment_of(asked[0], q[0], errors(asked[0], q[0], u), u),
+                          moment_of(asked[1], q[1], errors(asked[1], q[1], u), u), u);
   };
-  if (open_by(stable_errors)) return Margin::stable;
-  return open_by(printed_errors) ? Margin::printed : Margin::none;
+  if (explained_by(stable_errors)) return Margin::stable;
+  return explained_by(printed_errors) ? Margin::printed : Margin::none;
 }
 
 }  // namespace tps::properties::conform

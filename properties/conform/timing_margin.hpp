@@ -24,7 +24,9 @@ enum class Margin {
 /// The narrowest margin within which an answer is right, in numbers of `bits` bits.
 Margin margin_of(const exact::TimingQuery& query, const TimeAnswer& answer, int bits);
 
-/// The narrowest margin within which the order of two queries is open.
-Margin margin_of_order(const exact::TimingQuery& first, const exact::TimingQuery& second, int bits);
+/// The narrowest margin within which "before", "equal", "after" or "none" may be said of two queries: "none"
+/// where neither has to happen, "equal" where no error tells the times apart.
+Margin margin_of_order(const exact::TimingQuery& first, const exact::TimingQuery& second,
+                       const std::string& order, int bits);
 
 }  // namespace tps::properties::conform

@@ -245,6 +245,8 @@ class StateCheck {
             effect->records.draws->draws(scene_, scene_.particles[static_cast<std::size_t>(*i)]);
         demand(*i == *j && draws, pointer,
                fmt::format("particle {} gets no impulses at random times", d.first));
+        demand(d.used <= state_.k, pointer,
+               fmt::format("counts {} impulses; there were {} events", d.used, state_.k));
       }
       demand(seen.emplace(d.purpose, *i, *j).second, pointer, "stands twice");
     }

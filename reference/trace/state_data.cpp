@@ -231,7 +231,7 @@ StateData state_from(const Field& line) {
   state.progress = counts_from(line.at("progress"));
   state.counts = counts_from(line.at("counts"));
   for (const auto& [name, numbers] : line.at("quantities").members())
-    state.quantities[name] = numbers_from(numbers.list(), true);
+    state.quantities[name] = numbers_from(numbers.list(), false);
   for (const Field& o : line.at("observations").list()) state.observations.push_back(observation_from(o));
   return state;
 }

@@ -24,6 +24,7 @@ def make_files(tps, folder):
     (folder / "input").write_text('{"m_A":1,"m_B":2,"v_A":[1,0],"v_B":[0,0]}')
     (folder / "scenario").write_text("{}")
     (folder / "regressions").write_text("")
+    (folder / "profile").write_text('{"conform_profile":1,"name":"mine","fails":["WRONG"]}')
 
 
 def aliases(folder, name):
@@ -72,6 +73,8 @@ PAIRS = [
     ("import {a} -o {b}", "scenario"),
     ("properties --quiet --cases 1 --law Eq6Laws.Law1* -o {a} --regressions {b}", "new"),
     ("properties --quiet --cases 1 --law Eq6Laws.Law1* -o {a} --regressions {b}", "regressions"),
+    ("conform --quiet --level 1 --tags load.plain --scalar double --profile {a} --report {b}", "profile"),
+    ("conform --quiet --level 1 --tags load.plain --scalar double --expect-fail {a} --report {b}", "regressions"),
 ]
 # Verbs that read a file and print: the file must not be where standard output goes.
 PRINTED = [("explain {a}", "scene"), ("draw {a}", "trace"), ("check {a}", "trace"), ("run {a} -q", "scene"), ("eval load --in {a}", "input"),

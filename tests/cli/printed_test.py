@@ -17,6 +17,18 @@ SCENE = {"tps": 1, "title": HOSTILE, "dimension": 2, "duration": 10, "species": 
          "particles": [{"species": HOSTILE, "position": [0, 0], "velocity": [1, 0]}, {"species": HOSTILE, "position": [3, 0]}]}
 
 
+# A program whose words would be lines of their own in a report.
+FORGER = """import json, sys
+for line in sys.stdin:
+    r = json.loads(line)
+    out = {"verdict": "hit\\nFORGED", "t": "0x1p+0", "order": "before\\nFORGED", "kind": "retract\\r\\nFORGED"}
+    hello = {"name": "forger", "ops": ["block_time", "tether_time", "order", "tether_response"]}
+    if "bye" in r:
+        break
+    print(json.dumps(hello if "hello" in r else {"seq": r["seq"], "out": out}), flush=True)
+"""
+
+
 def main():
     tps = os.path.abspath(sys.argv[1])
     failures = processes.Failures()
@@ -29,7 +41,7 @@ def main():
                 found = UNPRINTABLE.search(text)
                 failures.expect(found is None, f"{words}: {name} has {found and ascii(found[0])}: {ascii(text[:200])}")
             failures.expect("\ufffd" not in out.replace("\\ufffd", ""), f"{words}: not UTF-8")  # as processes.run() decodes it
-            failures.expect(code in (0, 1, 3), f"{words}: exit code {code}")
+            failures.expect(code in (0, 1, 3, 4), f"{words}: exit code {code}")
             return out
 
         # Files themselves may be spelt raw: this is how they come.
@@ -57,6 +69,11 @@ def main():
             reply = printed("serve", json.dumps(request, ensure_ascii=False) + "\n")
             failures.expect(json.loads(reply).keys() & {"skip", "error"}, f"serve: {ascii(reply)}")
         printed("serve", HOSTILE + "\n")
+        (folder / "forger.py").write_text(FORGER)
+        for verb in ("properties --quiet --cases 2", "conform --quiet --level 1 --cases 2 --all"):
+            report = printed(f"{verb} -- {sys.executable} forger.py")
+            failures.expect("FORGED" in report, f"{verb}: quotes no word of the program")
+            failures.expect("FORGED" not in [line.strip()[:6] for line in report.splitlines()], f"{verb}: a word of the program is a line")
     return failures.conclude("what is printed")
 
 

@@ -172,6 +172,39 @@ WRONG += [
     Mutant("twice_at_a_container", G, "    return (tether_response", "    if limit == \"outer\" and math.inf in (m[i], m[j]):\n        return [2 * x for x in tether_response(**pair, **coefficients)[\"dp\"]]\n    return (tether_response",
            "group"),
 ]
+# A number all but special taken for the special one, other units of mass, times that are very long or very short.
+REVOLVES, RETRACTS = 'dp = "revolve", revolution_impulse(m_A, m_B, ', 'dp = "retract", collision_impulse(m_A, m_B, '
+DISC = "    K = 1 / 2 if is_planar else 2 / 5\n"
+WRONG += [
+    Mutant("both_due_now_is_none", T, '"none" if one == math.inf', '"none" if one == math.inf or one == 0', "order"),
+    Mutant("block_first_of_both_due_now", T, '    return {"order": "before" if one',
+           '    if one == other == 0 and first["kind"] != second["kind"]:\n        return {"order": "before" if first["kind"] == "block" else "after"}\n'
+           '    return {"order": "before" if one', "order", level="2"),
+    Mutant("ties_within_1e-12_of_the_unit", T, '"before" if one < other', '"equal" if one != math.inf and abs(one - other) <= 1e-12 else "before" if one < other', "order",
+           level="2"),
+    Mutant("far_in_time_is_none", T, "math.inf if t is None", "math.inf if t is None or t > 1e30", "order", level="2"),
+    Mutant("far_in_time_is_a_miss", T, HIT, HIT[:-1] + '} if c < 1e30 * (-h + math.sqrt(D)) else {"verdict": "miss", "t": None}', "block_time", level="2"),
+    Mutant("deep_inside_is_receding", T, "    if c <= 0:", '    if c < -0.98 * query["L"] ** 2:\n        return {"verdict": "receding", "t": None}\n    if c <= 0:',
+           "block_time", level="2"),
+    Mutant("about_45_degrees_is_45", R, REVOLVED, "theta_revolve_deg = 45 if abs(theta_revolve_deg - 45) < 1e-3 else theta_revolve_deg; " + REVOLVED,
+           "revolution_impulse", level="2"),
+    Mutant("revolves_elastically", R, REVOLVED, "c_revolve = 1 if c_revolve > 1 - 1e-6 else c_revolve; " + REVOLVED, "revolution_impulse", level="2"),
+    Mutant("pulled_elastically", R, RETRACTS + "c_retract", RETRACTS + "1 if c_retract > 1 - 1e-6 else c_retract", "tether_response", level="2"),
+    Mutant("like_masses_are_equal", R, "    n, _, v_n, _ = frame(**pair)", "    m_B = m_A if abs(m_A - m_B) < 1e-6 * m_A else m_B\n    n, _, v_n, _ = frame(**pair)",
+           "collision_impulse", level="2"),
+    Mutant("light_masses_are_heavier", R, 'return {"v_A": [v + p', 'm_A, m_B = max(m_A, 1e-16), max(m_B, 1e-16)\n    return {"v_A": [v + p', "apply_impulse", level="2"),
+    Mutant("heavy_masses_are_infinite", R, 'return {"v_A": [v + p',
+           'm_A, m_B = (math.inf if m > 1e16 else m for m in (m_A, m_B))\n    return {"v_A": [v + p', "apply_impulse", level="2"),
+    Mutant("leaning_wall_is_upright", E, "    v, gap = minus", "    normal = [round(x) if abs(x - round(x)) < 1e-6 else x for x in normal]\n    v, gap = minus",
+           "wall_time", level="2"),
+    *(Mutant(f"all_but_{name}", E, DISC, f"    {line}\n{DISC}", "rough_impulse", level="2") for name, line in (
+        ("elastic_disc", "c = 1 if c > 1 - 1e-6 else c"), ("perfectly_rough", "beta0 = 1 if beta0 > 1 - 1e-6 else beta0"),
+        ("perfectly_smooth", "beta0 = -1 if beta0 < -1 + 1e-6 else beta0"),
+        ("equal_discs", "m_B = m_A if abs(m_A - m_B) < 1e-6 * m_A else m_B"),
+        ("equal_spins", "spins[1] = [x if abs(x - y) < 1e-6 * abs(x) else y for x, y in zip(*spins)]"))),
+    Mutant("plastic_without_its_friction", E, "most = mu * math.sqrt(dot(normal, normal))",
+           "most = mu * math.sqrt(dot(normal, normal)) / (1 + c) * (1 + c if c > 1e-9 else 1)", "rough_impulse", level="2"),
+]
 WRONG.append(Mutant("almost_elastic_is_elastic", R, "(1 + c) * reduced", "(1 + (1 if c > 0.99 else c)) * reduced", "collision_impulse"))
 
 # Right, but by other words or not the same bits.

@@ -267,6 +267,28 @@ TEST(ReadState, IsStrict) {
             std::string::npos);
   EXPECT_NE(refusal("\"velocity\":[\"", "\"velocity\":[\"0y").find("is not a hexadecimal float"),
             std::string::npos);
+  for (const char* sum : {"lost", "stored", "work", "kinetic_at_start", "from_outside_0"}) {
+    const std::string beginning = fmt::format("\"{}\":[\"", sum);
+    EXPECT_NE(refusal(beginning, beginning + "inf\",\"").find("is not a hexadecimal float"),
+              std::string::npos)
+        << sum;
+  }
+}
+
+TEST(CheckState, KicksAtRandomTimesAreNoMoreThanEvents) {
+  Scene scene = busy_scene(.05);
+  scene.grouping.reset();
+  for (Species& species : scene.species) species.thermostat = Thermostat{scene.duration / 20, 1};
+  const std::vector<StateData> states = states_of(scene, ScalarKind::double_, 60);
+  ASSERT_FALSE(states.empty());
+  StateData state = states.back();
+  EXPECT_EQ(words_of(state_problems(scene, state, 53)), "");
+  const auto kicked = std::find_if(state.draws.begin(), state.draws.end(),
+                                   [](const StateData::Draws& d) { return d.first == d.second; });
+  ASSERT_NE(kicked, state.draws.end());
+  kicked->used = 1U << 31U;  // so many waits would be drawn again
+  state.t.clear();
+  EXPECT_NE(words_of(state_problems(scene, state, 53)).find("counts 2147483648 impulses"), std::string::npos);
 }
 
 }  // namespace

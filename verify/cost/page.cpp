@@ -53,7 +53,7 @@ constexpr const char* kTangencyText =
 )";
 constexpr const char* kConditionText =
     R"(<h2>Error against condition number</h2>
-<p>Over all strata but any_scale, wide and subnormal, whose hazard is the range of numbers. Broken lines: the unit roundoff times the
+<p>Over all strata but any_scale, units, wide and subnormal, whose hazard is the range of numbers. Broken lines: the unit roundoff times the
 condition number. Float also rounds the question, which the condition number does not count.</p>
 )";
 

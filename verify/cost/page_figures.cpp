@@ -103,7 +103,7 @@ std::string line_name(const Json& study, const std::string& variant, const Selec
 }
 
 bool aims_at_range(const std::string& stratum) {
-  return stratum == "any_scale" || stratum == "wide" || stratum == "subnormal";
+  return stratum == "any_scale" || stratum == "wide" || stratum == "subnormal" || stratum == "units";
 }
 
 }  // namespace

@@ -104,6 +104,14 @@ Pair graded_tie(Random& random) {
   return pair;
 }
 
+/// Such a pair in other units of length and of time.
+Pair scaled_tie(Random& random) {
+  const Pair pair = graded_tie(random);
+  const int length = random.integer(-90, 90), speed = random.integer(-90, 90);
+  return {exact::strata::scaled(pair.first, length, speed),
+          exact::strata::scaled(pair.second, length, speed)};
+}
+
 /// Tethered to where it is, and another event before or behind the first pull.
 Pair coincident(Random& random) {
   TimingQuery first = from("plain", random);
@@ -153,6 +161,8 @@ void add_order_strata(std::vector<Stratum>& strata) {
   add("mixed_tie", "a blocking and a tethering event at the same instant", mixed_tie);
   add("near_tie", "an exact tie with one number changed in its last bit", near_tie);
   add("graded_tie", "an exact tie with one limit changed by 2^-k of it, k from 5 to 45", graded_tie, 30);
+  add("scaled_tie", "such a pair, lengths times 2^i, velocities times 2^j, i and j from -90 to 90",
+      scaled_tie, 20);
   add("coincident", "a pull of two particles at one point, and another event", coincident, 30);
   strata.push_back({"order", "twins", "one bit apart on the two sides of a change of order", 120, accept,
                     [](Random& random, std::uint64_t number) -> Problem {

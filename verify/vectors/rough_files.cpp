@@ -176,6 +176,37 @@ Rebound graded_boundary(Random& random) {
   }
 }
 
+constexpr int kSpecial = 6;  ///< numbers that graded_coefficients() stands beside
+
+/// One number beside one that is special by 2^-k, another one in each case and k in another decade in each
+/// round: c at 0, where surfaces slide, or at 1, beta0 at -1 or 1, equal masses, equal spins.
+Rebound graded_coefficients(Random& random, std::uint64_t number) {
+  Rebound x = plain(random);
+  const int decade = static_cast<int>(number / kSpecial % 4);
+  const double little = std::ldexp(1.0, -5 - 10 * decade - random.integer(0, 9));
+  switch (number % kSpecial) {
+    case 0:
+      x.c = little;
+      x.mu = random.uniform(0.01, 0.05);
+      break;
+    case 1:
+      x.c = 1 - little;
+      break;
+    case 2:
+      x.beta0 = little - 1;
+      break;
+    case 3:
+      x.beta0 = 1 - little;
+      break;
+    case 4:
+      x.m_B = x.m_A * (1 + little);
+      break;
+    default:
+      for (std::size_t k = 0; k < x.spin_A.size(); ++k) x.spin_B[k] = x.spin_A[k] * (1 + little);
+  }
+  return x;
+}
+
 Rebound float32(Random& random) {
   Rebound x = plain(random);
   for (Numbers* vector : {&x.u_A, &x.u_B, &x.v_A, &x.v_B, &x.spin_A, &x.spin_B}) {
@@ -224,16 +255,21 @@ Json input_of(const Rebound& x) {
 }  // namespace rough_files
 
 void add_rough_strata(std::vector<Stratum>& strata) {
-  for (const rough_files::Family& family : rough_files::families) {
+  const auto add = [&](const char* name, const char* why, auto rebound) {
     strata.push_back({"rough_impulse",
-                      family.name,
-                      family.why,
+                      name,
+                      why,
                       rough_files::kCommitted,
                       {"R", "K(16)"},
-                      [family](Random& random, std::uint64_t) -> Problem {
-                        return {rough_files::input_of(family.rebound(random)), {family.name}};
+                      [name, rebound](Random& random, std::uint64_t number) -> Problem {
+                        return {rough_files::input_of(rebound(random, number)), {name}};
                       }});
+  };
+  for (const rough_files::Family& family : rough_files::families) {
+    add(family.name, family.why, [&family](Random& random, std::uint64_t) { return family.rebound(random); });
   }
+  add("graded_coefficients", "c, beta0, masses or spins beside special ones by 2^-k, k from 5 to 44",
+      rough_files::graded_coefficients);
 }
 
 }  // namespace tps::vectors

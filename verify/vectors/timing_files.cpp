@@ -67,6 +67,20 @@ TimingQuery coincident(Random& random, Kind kind, int dimension) {
   return exact::strata::scaled(query, length, speed);
 }
 
+/// Far inside the limit, at 2^-k of a distance, or head-on, in units in which times are long or short.
+TimingQuery units(Random& random, Kind kind, int dimension) {
+  TimingQuery query = exact::strata::plain(random, kind, dimension);
+  const bool head_on = random.coin();
+  const int k = random.integer(0, 45);
+  for (std::size_t n = 0; n < query.u_A.size(); ++n) {
+    const double r = query.u_B[n] - query.u_A[n];
+    if (head_on) query.v_B[n] = query.v_A[n] - r / 4;
+    query.u_B[n] = query.u_A[n] + std::ldexp(r, head_on ? 2 : -k);
+  }
+  const int length = random.integer(-90, 90), speed = random.integer(-90, 90);
+  return exact::strata::scaled(query, length, speed);
+}
+
 }  // namespace
 
 void add_timing_strata(std::vector<Stratum>& strata) {
@@ -90,7 +104,13 @@ void add_timing_strata(std::vector<Stratum>& strata) {
                         return {timing_input(query, 3), tags_of(query, "twin")};
                       },
                       2});
-    constexpr int kCoincidentInSpace = 30;
+    constexpr int kCoincidentInSpace = 30, kUnitsInSpace = 12;
+    strata.push_back(
+        {op, "units", "head-on, or 2^-k as far apart, in units of length and speed of 2^-90 to 2^90",
+         kUnitsInSpace + kInThePlane, accept, [kind](Random& random, std::uint64_t number) -> Problem {
+           const int dimension = dimension_of_case(number, kUnitsInSpace);
+           return {timing_input(units(random, kind, dimension), dimension), {"units"}};
+         }});
     strata.push_back({op, "coincident", "both particles at one point", kCoincidentInSpace + kInThePlane,
                       accept, [kind](Random& random, std::uint64_t number) -> Problem {
                         const int dimension = dimension_of_case(number, kCoincidentInSpace);

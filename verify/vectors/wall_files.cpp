@@ -1,4 +1,5 @@
 // The strata of wall_time: a particle B before a plane through A.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,17 @@ TimingQuery planar(Random& random) {
 
 TimingQuery face(Random& random) {
   return before(random, along_axis(random));
+}
+
+/// A normal that leans by 2^-k from an axis.
+TimingQuery graded_axis(Random& random) {
+  Vec3 n = along_axis(random);
+  const auto along =
+      static_cast<std::size_t>(std::find_if(n.begin(), n.end(), [](double x) { return x != 0; }) - n.begin());
+  const double lean = std::ldexp(1.0, -random.integer(5, 45));
+  n[along] *= std::sqrt(1 - lean * lean);
+  n[(along + static_cast<std::size_t>(random.integer(1, 2))) % 3] = lean;
+  return before(random, n);
 }
 
 TimingQuery moving(Random& random) {
@@ -169,6 +181,7 @@ constexpr Family families[] = {
     {"any_scale", "lengths times 2^j, velocities times 2^k", any_scale},
     {"float32", "every number exact in single precision", float32},
     {"graded_limit", "at a distance L(1 -+ 2^-k), k from 5 to 45", graded_limit},
+    {"graded_axis", "normals that lean by 2^-k from an axis, k from 5 to 45", graded_axis},
 };
 
 }  // namespace
