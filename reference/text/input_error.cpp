@@ -61,6 +61,7 @@ InputError::InputError(std::vector<InputProblem> problems, bool all)
 
 void InputProblems::add(std::size_t line, std::string pointer, std::string message) {
   if (full()) return;
+  places_.push_back(pointer);
   problems_.push_back(fit_to_print({file_, line, std::move(pointer), std::move(message)}));
 }
 
@@ -69,9 +70,8 @@ void InputProblems::add(const InputProblem& problem) {
 }
 
 bool InputProblems::touches(const std::string& pointer) const {
-  return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
-    return problem.pointer.starts_with(pointer) &&
-           (problem.pointer.size() == pointer.size() || problem.pointer[pointer.size()] == '/');
+  return std::any_of(places_.begin(), places_.end(), [&](const std::string& place) {
+    return place.starts_with(pointer) && (place.size() == pointer.size() || place[pointer.size()] == '/');
   });
 }
 

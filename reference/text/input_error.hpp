@@ -54,7 +54,7 @@ class InputProblems {
   const std::string& file() const { return file_; }
   const std::vector<InputProblem>& problems() const { return problems_; }
 
-  /// Whether some problem lies at `pointer` or inside it.
+  /// Whether some problem lies at `pointer` or inside it, whatever keys lead there.
   bool touches(const std::string& pointer) const;
 
   /// Throws InputError if anything was added.
@@ -62,7 +62,8 @@ class InputProblems {
 
  private:
   std::string file_;
-  std::vector<InputProblem> problems_;
+  std::vector<InputProblem> problems_;    ///< fit to print
+  std::vector<std::string> places_ = {};  ///< their pointers as they are
 };
 
 }  // namespace tps

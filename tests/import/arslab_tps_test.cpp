@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 #include <stdexcept>
@@ -196,6 +197,44 @@ TEST(ArslabTps, SaysWhatIsWrong) {
     const std::string message = message_about(replaced(text, wrong.from, wrong.to));
     EXPECT_TRUE(message.starts_with(wrong.says)) << message << "\nexpected " << wrong.says;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message << "\nis more than was broken";
+  }
+}
+
+/// What is printed of a key is not the key: it is escaped, and cut.
+TEST(ArslabTps, WhatLacksAKeyIsNotReadWhateverItIsCalled) {
+  std::vector<std::string> names = {"a~b/c",
+                                    "~1",
+                                    "",
+                                    "/",
+                                    "\xC2\x9B"
+                                    "1",
+                                    "\xE2\x80\xAE"
+                                    "1",
+                                    "\xEF\xBB\xBF"
+                                    "1",
+                                    "\\u0007",
+                                    "\\u001b[31m",
+                                    "\\\\\\\""};
+  for (int length = 1; length <= 1000; length += 37) names.emplace_back(length, 'x');
+  const std::vector<std::string> keys = {R"("position":[0,0])", R"("velocity":[1,0])", R"("species":"a")"};
+  for (const std::string& name : names) {
+    for (unsigned left_out = 1; left_out < 8; ++left_out) {
+      std::vector<std::string> left;
+      for (unsigned k = 0; k < keys.size(); ++k) {
+        if ((left_out >> k & 1U) == 0) left.push_back(keys[k]);
+      }
+      const std::string text = fmt::format(
+          R"({{"config":{{"ri":false}},"species":{{"a":{{"mass":1,"radius":1}}}},"particles":{{"{}":{{{}}}}}}})",
+          name, fmt::join(left, ","));
+      EXPECT_NE(message_about(text).find("is missing"), std::string::npos) << text;
+    }
+    EXPECT_NE(
+        message_about(
+            fmt::format(R"({{"config":{{"ri":false}},"species":{{"{}":{{"mass":1}}}},"particles":{{}}}})",
+                        name))
+            .find("is missing"),
+        std::string::npos)
+        << name;
   }
 }
 
