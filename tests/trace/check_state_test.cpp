@@ -1,8 +1,10 @@
 // A full state that cannot be one of its scene is told from those that runs leave behind.
 #include "reference/trace/check_state.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
