@@ -87,8 +87,8 @@ std::vector<std::string> profile_names() {
 }
 
 bool is_built_in(const std::string& profile) {
-  const std::vector<std::string> names = profile_names();
-  return std::find(names.begin(), names.end(), profile) != names.end();
+  return std::any_of(built_in().begin(), built_in().end(),
+                     [&](const Profile& each) { return each.name == profile; });
 }
 
 Profile read_profile(const std::string& name_or_file) {

@@ -124,12 +124,11 @@ bool may_precede(const Moment& first, const Moment& second, const Wide& u) {
 }
 
 bool explains_order(const std::string& order, const Moment& first, const Moment& second, const Wide& u) {
-  const bool both = first.may_occur && second.may_occur;
   const bool before = may_precede(first, second, u), after = may_precede(second, first, u);
   if (order == "none") return first.may_not_occur && second.may_not_occur;
-  if (order == "equal") return both && before == after;
-  if (order == "before") return first.may_occur && (second.may_not_occur || (second.may_occur && before));
-  if (order == "after") return second.may_occur && (first.may_not_occur || (first.may_occur && after));
+  if (order == "equal") return first.may_occur && second.may_occur && before == after;
+  if (order == "before") return first.may_occur && (second.may_not_occur || before);
+  if (order == "after") return second.may_occur && (first.may_not_occur || after);
   return false;
 }
 

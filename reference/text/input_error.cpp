@@ -61,8 +61,8 @@ InputError::InputError(std::vector<InputProblem> problems, bool all)
 
 void InputProblems::add(std::size_t line, std::string pointer, std::string message) {
   if (full()) return;
-  places_.push_back(pointer);
-  problems_.push_back(fit_to_print({file_, line, std::move(pointer), std::move(message)}));
+  // The pointer as it is: touches() compares it. InputError makes it fit to print.
+  problems_.push_back({file_, line, std::move(pointer), printable(message, most_of_message)});
 }
 
 void InputProblems::add(const InputProblem& problem) {
@@ -70,8 +70,9 @@ void InputProblems::add(const InputProblem& problem) {
 }
 
 bool InputProblems::touches(const std::string& pointer) const {
-  return std::any_of(places_.begin(), places_.end(), [&](const std::string& place) {
-    return place.starts_with(pointer) && (place.size() == pointer.size() || place[pointer.size()] == '/');
+  return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
+    return problem.pointer.starts_with(pointer) &&
+           (problem.pointer.size() == pointer.size() || problem.pointer[pointer.size()] == '/');
   });
 }
 

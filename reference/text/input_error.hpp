@@ -54,7 +54,7 @@ class InputProblems {
   const std::string& file() const { return file_; }
   const std::vector<InputProblem>& problems() const { return problems_; }
 
-  /// Whether some problem lies at `pointer` or inside it, whatever keys lead there.
+  /// Whether some problem lies at `pointer` or inside it.
   bool touches(const std::string& pointer) const;
 
   /// Throws InputError if anything was added.
@@ -62,8 +62,7 @@ class InputProblems {
 
  private:
   std::string file_;
-  std::vector<InputProblem> problems_;    ///< fit to print
-  std::vector<std::string> places_ = {};  ///< their pointers as they are
+  std::vector<InputProblem> problems_;
 };
 
 }  // namespace tps

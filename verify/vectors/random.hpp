@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace tps::vectors {
 
@@ -43,6 +44,13 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+/// So many numbers, each from -most to most.
+inline std::vector<double> numbers_within(Random& random, int count, double most) {
+  std::vector<double> x;
+  for (int k = 0; k < count; ++k) x.push_back(random.uniform(-most, most));
+  return x;
+}
 
 /// 1 ∓ 2^-k, k from `first` to `last`: so far beside a limit that rounding does not decide, and a tolerance
 /// does.

@@ -3,22 +3,12 @@
 #include <cmath>
 
 namespace tps::vectors::encounters {
-namespace {
-
-std::vector<double> in_cube(Random& random, int dimension, double half_edge) {
-  std::vector<double> x;
-  for (int k = 0; k < dimension; ++k) x.push_back(random.uniform(-half_edge, half_edge));
-  return x;
-}
-
-}  // namespace
-
 Encounter plain(Random& random, int dimension) {
-  return {.u_A = in_cube(random, dimension, 2),
-          .u_B = in_cube(random, dimension, 2),
-          .v_A = in_cube(random, dimension, 1),
-          .v_B = in_cube(random, dimension, 1),
-          .dp = in_cube(random, dimension, 1),
+  return {.u_A = numbers_within(random, dimension, 2),
+          .u_B = numbers_within(random, dimension, 2),
+          .v_A = numbers_within(random, dimension, 1),
+          .v_B = numbers_within(random, dimension, 1),
+          .dp = numbers_within(random, dimension, 1),
           .m_A = random.uniform(0.5, 2),
           .m_B = random.uniform(0.5, 2),
           .c = random.uniform(0, 1),

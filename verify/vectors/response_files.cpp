@@ -64,23 +64,44 @@ constexpr Family response_families[] = {
     {"any_scale", "lengths times 2^j, velocities times 2^k", any_scale},
     {"float32", "every number exact in single precision", float32},
 };
-constexpr Family boundary_families[] = {
-    {"boundary", "|c_retract v_n| = tan(theta) |v_w| exactly: either response passes", boundary},
-    {"near_boundary", "one bit beside that boundary", near_boundary},
-    {"graded_boundary", "beside that boundary by 2^-k of it, k from 5 to 45", graded_boundary},
-};
 constexpr Family elastic = {"near_elastic", "restitution 1 - 2^-k, k from 2 to 45", near_elastic};
 constexpr Family plastic = {"near_plastic", "restitution 2^-k, k from 2 to 45", near_plastic};
-constexpr Family angles = {"graded_angle", "multiples of 15 degrees times 1 -+ 2^-k, k from 5 to 45",
-                           graded_angle};
-constexpr Family like_masses = {"graded_masses", "m_B = m_A (1 -+ 2^-k), k from 5 to 45", graded_masses};
-constexpr Family units_of_mass = {"any_mass", "masses and impulses times 2^j, j from -120 to 120", any_mass};
 constexpr Family components = {"spread", "every component times a 2^-k of its own, k from 0 to 45", spread};
-constexpr Family all_but_along = {"graded_across", "c_retract = 0, |v_w| = 2^-k |v_n|, k from 5 to 45",
-                                  graded_across};
 
 constexpr int kInSpace = 60;
 constexpr int kFewInSpace = 30, kFewerInSpace = 18;
+
+/// What one operation alone is asked.
+struct OwnFamily {
+  eval::Op op;
+  Family family;
+  int in_space;
+};
+
+constexpr OwnFamily own_families[] = {
+    {eval::Op::collision_impulse, elastic, kInSpace},
+    {eval::Op::tether_response,
+     {"boundary", "|c_retract v_n| = tan(theta) |v_w| exactly: either response passes", boundary},
+     kInSpace},
+    {eval::Op::tether_response, {"near_boundary", "one bit beside that boundary", near_boundary}, kInSpace},
+    {eval::Op::tether_response,
+     {"graded_boundary", "beside that boundary by 2^-k of it, k from 5 to 45", graded_boundary},
+     kInSpace},
+    {eval::Op::tether_response,
+     {"graded_across", "c_retract = 0, |v_w| = 2^-k |v_n|, k from 5 to 45", graded_across},
+     kFewInSpace},
+    {eval::Op::apply_impulse,
+     {"any_mass", "masses and impulses times 2^j, j from -120 to 120", any_mass},
+     kFewerInSpace},
+    {eval::Op::collision_impulse,
+     {"graded_masses", "m_B = m_A (1 -+ 2^-k), k from 5 to 45", graded_masses},
+     kFewerInSpace},
+    {eval::Op::revolution_impulse,
+     {"graded_angle", "multiples of 15 degrees times 1 -+ 2^-k, k from 5 to 45", graded_angle},
+     kFewerInSpace},
+    {eval::Op::revolution_impulse, elastic, kFewerInSpace},
+    {eval::Op::tether_response, elastic, kFewerInSpace},
+};
 
 bool is_planar(const Family& family, std::uint64_t number, int in_space) {
   return family.name == std::string_view(kPlane) || dimension_of_case(number, in_space) == 2;
@@ -108,17 +129,9 @@ void add_response_strata(std::vector<Stratum>& strata) {
                            "load", "restitution_impulse"}) {
     const eval::Operation& operation = *eval::find_operation(name);
     for (const Family& family : response_families) add_family(strata, operation, family);
-    if (operation.op == eval::Op::collision_impulse) add_family(strata, operation, elastic);
-    if (operation.op == eval::Op::tether_response) {
-      for (const Family& family : boundary_families) add_family(strata, operation, family);
-      add_family(strata, operation, all_but_along, kFewInSpace);
+    for (const auto& [op, family, in_space] : own_families) {
+      if (op == operation.op) add_family(strata, operation, family, in_space);
     }
-    if (operation.op == eval::Op::apply_impulse) add_family(strata, operation, units_of_mass, kFewerInSpace);
-    if (operation.op == eval::Op::collision_impulse)
-      add_family(strata, operation, like_masses, kFewerInSpace);
-    if (operation.op == eval::Op::revolution_impulse) add_family(strata, operation, angles, kFewerInSpace);
-    if (operation.op == eval::Op::revolution_impulse || operation.op == eval::Op::tether_response)
-      add_family(strata, operation, elastic, kFewerInSpace);
     const bool restores = std::any_of(operation.keys.begin(), operation.keys.end(),
                                       [](const std::string& key) { return key.starts_with("c"); });
     add_family(strata, operation, restores ? plastic : components, kFewInSpace);

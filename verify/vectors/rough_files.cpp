@@ -18,20 +18,14 @@ struct Rebound {
   double m_A, m_B, R_A, R_B, c, mu, beta0;
 };
 
-Numbers in_cube(Random& random, int dimension, double half_edge) {
-  Numbers x;
-  for (int k = 0; k < dimension; ++k) x.push_back(random.uniform(-half_edge, half_edge));
-  return x;
-}
-
 Rebound plain_in(Random& random, int dimension) {
   const int turns = dimension == 2 ? 1 : 3;
-  return {.u_A = in_cube(random, dimension, 2),
-          .u_B = in_cube(random, dimension, 2),
-          .v_A = in_cube(random, dimension, 1),
-          .v_B = in_cube(random, dimension, 1),
-          .spin_A = in_cube(random, turns, 2),
-          .spin_B = in_cube(random, turns, 2),
+  return {.u_A = numbers_within(random, dimension, 2),
+          .u_B = numbers_within(random, dimension, 2),
+          .v_A = numbers_within(random, dimension, 1),
+          .v_B = numbers_within(random, dimension, 1),
+          .spin_A = numbers_within(random, turns, 2),
+          .spin_B = numbers_within(random, turns, 2),
           .m_A = random.uniform(0.5, 2),
           .m_B = random.uniform(0.5, 2),
           .R_A = random.uniform(0.2, 1),

@@ -104,18 +104,16 @@ void add_timing_strata(std::vector<Stratum>& strata) {
                         return {timing_input(query, 3), tags_of(query, "twin")};
                       },
                       2});
-    constexpr int kCoincidentInSpace = 30, kUnitsInSpace = 12;
-    strata.push_back(
-        {op, "units", "head-on, or 2^-k as far apart, in units of length and speed of 2^-90 to 2^90",
-         kUnitsInSpace + kInThePlane, accept, [kind](Random& random, std::uint64_t number) -> Problem {
-           const int dimension = dimension_of_case(number, kUnitsInSpace);
-           return {timing_input(units(random, kind, dimension), dimension), {"units"}};
-         }});
-    strata.push_back({op, "coincident", "both particles at one point", kCoincidentInSpace + kInThePlane,
-                      accept, [kind](Random& random, std::uint64_t number) -> Problem {
-                        const int dimension = dimension_of_case(number, kCoincidentInSpace);
-                        return {timing_input(coincident(random, kind, dimension), dimension), {"coincident"}};
-                      }});
+    const auto add = [&](const char* name, const char* why, int in_space,
+                         TimingQuery (*query_of)(Random&, Kind, int)) {
+      strata.push_back({op, name, why, in_space + kInThePlane, accept,
+                        [kind, name, in_space, query_of](Random& random, std::uint64_t number) -> Problem {
+                          const int dimension = dimension_of_case(number, in_space);
+                          return {timing_input(query_of(random, kind, dimension), dimension), {name}};
+                        }});
+    };
+    add("units", "head-on, or 2^-k as far apart, in units of length and speed of 2^-90 to 2^90", 12, units);
+    add("coincident", "both particles at one point", 30, coincident);
   }
 }
 

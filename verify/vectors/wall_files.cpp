@@ -1,5 +1,4 @@
 // The strata of wall_time: a particle B before a plane through A.
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -76,11 +75,11 @@ TimingQuery face(Random& random) {
 
 /// A normal that leans by 2^-k from an axis.
 TimingQuery graded_axis(Random& random) {
-  Vec3 n = along_axis(random);
-  const auto along =
-      static_cast<std::size_t>(std::find_if(n.begin(), n.end(), [](double x) { return x != 0; }) - n.begin());
+  Vec3 n{};
+  const double side = random.coin() ? 1 : -1;
+  const auto along = static_cast<std::size_t>(random.integer(0, 2));
   const double lean = std::ldexp(1.0, -random.integer(5, 45));
-  n[along] *= std::sqrt(1 - lean * lean);
+  n[along] = side * std::sqrt(1 - lean * lean);
   n[(along + static_cast<std::size_t>(random.integer(1, 2))) % 3] = lean;
   return before(random, n);
 }
