@@ -34,11 +34,12 @@ struct Thing {
   bool (*is_in)(const Scene&);
 };
 
-constexpr std::array<Thing, 5> kThings{{
+constexpr std::array<Thing, 6> kThings{{
     {"no-groups", "grouping", [](const Scene& s) { return s.grouping.has_value(); }},
     {"no-phases", "phases", [](const Scene& s) { return !s.phases.empty(); }},
     {"no-impulses", "impulses from outside", [](const Scene& s) { return !s.impulses.empty(); }},
     {"no-draws", "rules that decide with a probability", has_draws},
+    {"no-gravity", "gravity", [](const Scene& s) { return s.gravity.has_value(); }},
     {"no-start-time", "a start_time", [](const Scene& s) { return s.start_time != 0; }},
 }};
 

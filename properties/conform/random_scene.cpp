@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -27,16 +26,39 @@ constexpr const char* kContacts = "contacts";
 constexpr std::uint64_t kToldOtherwise = 5;
 /// Ends the titles of scenes whose text leaves out what has a default.
 constexpr const char* kTerse = ", defaults left out";
-/// No scene has both.
-constexpr std::array<std::pair<const char*, const char*>, 2> kOpposites{
-    {{"2d", "3d"}, {"groups", "no-groups"}}};
-/// What scenes of contacts alone have not.
-constexpr std::array<const char*, 2> kNoContacts{"groups", "no-ties"};
+/// Words of which no scene has the first and one of the others.
+struct Exclusion {
+  const char* word;
+  std::vector<const char*> others;
+  const char* why;
+};
+
+const std::vector<Exclusion>& exclusions() {
+  constexpr const char* kGiveOne = "give one";
+  static const std::vector<Exclusion> all{
+      {"2d", {"3d"}, kGiveOne},
+      {"groups", {"no-groups"}, kGiveOne},
+      {"gravity", {"no-gravity"}, kGiveOne},
+      {"groups",
+       {"thermostat", "drag", "friction", "walls", "block", "periodic"},
+       "beside that nothing is grouped (docs/effects.md)"},
+      {kContacts,
+       {"groups", "no-ties", "gravity", "random-impulses", "thermostat", "drag", "friction", "walls", "block",
+        "periodic"},
+       "scenes of contacts have neither groups nor anything but ties"},
+  };
+  return all;
+}
 
 struct Feature {
   FeatureFacts facts;
   void (*apply)(Wishes&);
 };
+
+template <runs::Outlook effect>
+void call_for(Wishes& wishes) {
+  wishes.outlook.push_back(effect);
+}
 
 const std::vector<Feature>& features() {
   static const std::vector<Feature> all{
@@ -56,6 +78,18 @@ const std::vector<Feature>& features() {
       {{"no-losses", "coefficients are 1"}, [](Wishes& w) { w.dissipation = false; }},
       {{"no-ties", "no starts at limits, nothing simultaneous"}, [](Wishes& w) { w.ties = false; }},
       {{"no-start-time", "the clock starts at 0"}, [](Wishes& w) { w.start_time = false; }},
+      {{"no-gravity", "nothing falls between walls either"}, [](Wishes& w) { w.gravity = false; }},
+      {{"gravity", "it falls"}, call_for<runs::Outlook::gravity>},
+      {{"random-impulses", "particles are pushed at random times"}, call_for<runs::Outlook::random_impulses>},
+      {{"thermostat", "particles get velocities of a temperature at random times"},
+       call_for<runs::Outlook::thermostat>},
+      {{"drag", "velocities decay"}, call_for<runs::Outlook::drag>},
+      {{"friction", "rough particles, which spin"}, call_for<runs::Outlook::friction>},
+      {{"walls", "a box around everybody, and a sphere that they are outside of"},
+       call_for<runs::Outlook::walls>},
+      {{"block", "a box around everybody, and a box that they are outside of"},
+       call_for<runs::Outlook::block>},
+      {{"periodic", "a periodic box"}, call_for<runs::Outlook::box>},
       {{kContacts, "pairs that touch and move across, and nothing else"},
        [](Wishes& w) { w.contacts = true; }},
   };
@@ -124,6 +158,13 @@ std::optional<Scene> shortened(Scene scene) {
   return std::nullopt;
 }
 
+/// The effects of the outlook in turn, each with some of the others.
+rc::Gen<runs::SmallScene> plain_scene(const Wishes& wanted, std::uint64_t number) {
+  if (wanted.contacts) return runs::touching_pairs(wanted.dimension);
+  if (wanted.outlook.empty()) return runs::small_scene(wanted);
+  return runs::outlook_scene(wanted.outlook[number % wanted.outlook.size()], wanted, wanted.outlook);
+}
+
 }  // namespace
 
 const std::vector<FeatureFacts>& scene_features() {
@@ -143,15 +184,13 @@ void check_features(const std::vector<std::string>& words) {
     throw std::invalid_argument(
         fmt::format("{} is no feature of scenes; there are {}", word, fmt::join(names, ", ")));
   }
-  for (const auto& [one, other] : kOpposites) {
-    if (has(words, one) && has(words, other))
-      throw std::invalid_argument(fmt::format("{} and {} exclude each other: give one", one, other));
-  }
-  for (const char* word : kNoContacts) {
-    if (has(words, kContacts) && has(words, word))
-      throw std::invalid_argument(fmt::format(
-          "{} and {} exclude each other: scenes of contacts have neither groups nor anything but ties",
-          kContacts, word));
+  for (const Exclusion& exclusion : exclusions()) {
+    for (const char* other : exclusion.others) {
+      if (has(words, exclusion.word) && has(words, other)) {
+        throw std::invalid_argument(
+            fmt::format("{} and {} exclude each other: {}", exclusion.word, other, exclusion.why));
+      }
+    }
   }
 }
 
@@ -181,8 +220,7 @@ std::optional<Scene> random_scene(const std::vector<std::string>& features, std:
   for (const std::string& word : features) find(word)->apply(wanted);
   const rc::Random stream(rc::Random::Key{seed, number, 0x7363656e65U, 0});
   rc::Random choices(rc::Random::Key{seed, number, 0x76617279U, 0});
-  const auto generator = wanted.contacts ? runs::touching_pairs(wanted.dimension) : runs::small_scene(wanted);
-  Scene scene = generator(stream, kSize).value().scene;
+  Scene scene = plain_scene(wanted, number)(stream, kSize).value().scene;
   const bool otherwise = number % kToldOtherwise == 1;
   rc::Random others(rc::Random::Key{seed, number, 0x6f74686572U, 0});
   scene.title = fmt::format("random scene {} of seed {}{}", number, seed,

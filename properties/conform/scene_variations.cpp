@@ -59,6 +59,12 @@ Pulls pulls_in_run(const Scene& scene, std::uint64_t most_events) {
   return pulls;
 }
 
+/// Walls and friction know particles by their radii.
+bool radii_matter(const Scene& scene) {
+  return !scene.walls.empty() ||
+         std::ranges::any_of(scene.pairs, [](const PairLaw& law) { return law.friction.has_value(); });
+}
+
 /// Those that exceed all before them.
 std::vector<double> records(const std::vector<double>& sizes) {
   std::vector<double> found;
@@ -93,7 +99,7 @@ Scene untethered(Scene scene, const Wishes& wanted, rc::Random& stream) {
 
 Scene with_near_threshold(Scene scene, const Wishes& wanted, rc::Random& stream) {
   constexpr std::uint64_t kMostEvents = 100;
-  if (!wanted.changing_tethers || !scene.phases.empty() || !once_in(2, stream)) return scene;
+  if (!wanted.changing_tethers || !scene.phases.empty() || scene.drag || !once_in(2, stream)) return scene;
   Scene unbroken = scene;
   for (PairLaw& law : unbroken.pairs) {
     if (law.tethering && law.tethering->form.when != FormRule::When::permanent) law.tethering->breaks = {};
@@ -114,7 +120,9 @@ Scene with_near_threshold(Scene scene, const Wishes& wanted, rc::Random& stream)
 
 Scene with_other_limits(Scene scene, const Wishes& wanted, rc::Random& stream) {
   const double factor = one_of<double>({1, 1, 0.25, 0.5, 2}, stream);
-  for (Species& species : scene.species) species.radius *= factor;
+  if (!radii_matter(scene)) {
+    for (Species& species : scene.species) species.radius *= factor;
+  }
   if (!wanted.tethers) return scene;
   for (std::size_t n = 0; n < scene.pairs.size(); ++n) {
     if (!can_form(scene.pairs[n])) continue;

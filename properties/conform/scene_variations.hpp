@@ -4,6 +4,9 @@
 
 #include <rapidcheck.h>
 
+#include <vector>
+
+#include "properties/runs/outlook_scenes.hpp"
 #include "properties/runs/scenes.hpp"
 
 namespace tps::properties::conform {
@@ -11,7 +14,8 @@ namespace tps::properties::conform {
 /// What the words of --features ask for.
 struct Wishes : runs::Wanted {
   bool start_time = true;
-  bool contacts = false;  ///< pairs that touch and move across, and nothing else
+  bool contacts = false;                    ///< pairs that touch and move across, and nothing else
+  std::vector<runs::Outlook> outlook = {};  ///< each scene calls for one of them at least
 };
 
 /// True once in so many draws.

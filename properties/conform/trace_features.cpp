@@ -1,5 +1,6 @@
 #include "properties/conform/trace_features.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,14 @@ std::string word(const Json& event, const char* key) {
   return found != event.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// Spins stand where friction acts.
+bool has_spins(const Json& event) {
+  const auto post = event.find("post");
+  return post != event.end() && post->is_object() &&
+         std::any_of(post->begin(), post->end(),
+                     [](const Json& state) { return state.is_object() && state.contains("spin"); });
+}
+
 std::set<std::string> features_of(const Json& event, const std::set<std::int64_t>& infinite) {
   std::set<std::string> met;
   const std::string kind = word(event, "kind");
@@ -24,6 +33,7 @@ std::set<std::string> features_of(const Json& event, const std::set<std::int64_t
   if (word(event, "tether") == "formed") met.insert("formed");
   if (event.contains("draw")) met.insert("drawn");
   if (kind != "restitute" && event.contains("members")) met.insert("load");
+  if (kind == "rebound" && has_spins(event)) met.insert("friction");
   for (const char* key : {"i", "j"}) {
     const auto id = event.find(key);
     if (id != event.end() && id->is_number_integer() && infinite.contains(id->get<std::int64_t>()))

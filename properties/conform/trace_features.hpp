@@ -11,8 +11,8 @@
 
 namespace tps::properties::conform {
 
-/// By the number of the line, from 1: rebound, retract, revolve, break, formed, load, restitute, drawn,
-/// infinite mass, no impulse, phase, scheduled_impulse, end. A line that is no event has none.
+/// By the number of the line, from 1: the kind of the event (phase for both of a phase), formed, load, drawn,
+/// infinite mass, friction, end. A line that is no event has none.
 std::map<std::uint64_t, std::set<std::string>> features_by_line(std::string_view trace, const Scene& scene);
 
 }  // namespace tps::properties::conform

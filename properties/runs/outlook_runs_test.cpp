@@ -29,8 +29,16 @@ void obey(int number, const Scene& scene, Simulator& simulator) {
 
 class OutlookRuns : public ::testing::TestWithParam<Outlook> {
  protected:
+  static SmallScene drawn() {
+    Wanted wanted;
+    wanted.dimension = TPS_OUTLOOK_DIMENSION;
+    const bool combined = *rc::gen::arbitrary<bool>();
+    return *outlook_scene(GetParam(), wanted,
+                          combined ? std::vector(kOutlook.begin(), kOutlook.end()) : std::vector<Outlook>());
+  }
+
   void ask(const std::string& scalar, const std::string& timing) const {
-    SmallScene small = *outlook_scene(GetParam(), TPS_OUTLOOK_DIMENSION);
+    SmallScene small = drawn();
     small.scene.start_time = *rc::gen::element(0., .1, -1. / 3, 1e6);  // sums with it are no doubles
     const auto simulator = reference_simulator(scalar, timing);
     const std::string trace = simulator->simulate(small.scene, {.max_events = 60, .state_every = 13});
@@ -49,7 +57,7 @@ TEST_P(OutlookRuns, HoldCertified) {
 
 TEST_P(OutlookRuns, AreOfValidScenes) {
   rc::detail::checkGTest([&] {
-    const Scene scene = (*outlook_scene(GetParam())).scene;
+    const Scene scene = drawn().scene;
     RC_ASSERT(read_scene_text(write_scene(scene), "it") == scene);
   });
 }

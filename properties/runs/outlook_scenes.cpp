@@ -9,6 +9,9 @@
 #include "properties/runs/scene_bounds.hpp"
 #include "reference/scene/check_starts.hpp"
 #include "reference/scene/pair_law.hpp"
+#include "reference/scene/read_scene.hpp"
+#include "reference/scene/write_scene.hpp"
+#include "reference/text/input_error.hpp"
 
 namespace tps::properties::runs {
 namespace {
@@ -53,9 +56,8 @@ void thermalise(Scene& scene) {
   });
 }
 
-Wanted wanted_for(Outlook effect, int dimension) {
-  Wanted wanted;
-  wanted.dimension = dimension;
+/// Of what is wanted, what may stand beside the effect.
+Wanted with_room_for(Outlook effect, Wanted wanted) {
   const bool by_kicks = effect == Outlook::gravity || effect == Outlook::random_impulses;
   if (!by_kicks) wanted.grouping = Wanted::Choice::never;
   const bool has_walls = effect == Outlook::walls || effect == Outlook::block || effect == Outlook::box;
@@ -65,7 +67,7 @@ Wanted wanted_for(Outlook effect, int dimension) {
   return wanted;
 }
 
-SmallScene with(Outlook effect, SmallScene small) {
+SmallScene with(Outlook effect, SmallScene small, bool may_fall) {
   switch (effect) {
     case Outlook::gravity:
       let_fall(small.scene);
@@ -90,8 +92,19 @@ SmallScene with(Outlook effect, SmallScene small) {
     case Outlook::box:
       return small;  // drawn in it
   }
-  if (once_in(2)) let_fall(small.scene);
+  if (may_fall && once_in(2)) let_fall(small.scene);
   return small;
+}
+
+/// With a second effect, where a scene can have both.
+SmallScene with_also(Outlook effect, const SmallScene& small) {
+  if (effect == Outlook::gravity && small.scene.gravity) return small;
+  SmallScene made = with(effect, small, false);
+  try {
+    return {read_scene_text(write_scene(made.scene), "it")};
+  } catch (const InputError&) {
+    return small;
+  }
 }
 
 /// As narrow as a box may be, a quarter more: everybody meets images of everybody.
@@ -132,14 +145,20 @@ std::ostream& operator<<(std::ostream& out, Outlook effect) {
   return out << name_of(effect);
 }
 
-rc::Gen<SmallScene> outlook_scene(Outlook effect, int dimension) {
-  const Wanted wanted = wanted_for(effect, dimension);
+rc::Gen<SmallScene> outlook_scene(Outlook effect, const Wanted& wanted, const std::vector<Outlook>& beside) {
+  const Wanted with_room = with_room_for(effect, wanted);
   const rc::Gen<SmallScene> plain = rc::gen::suchThat(
-      effect == Outlook::box ? scene_in_a_box(wanted) : small_scene(wanted),
+      effect == Outlook::box ? scene_in_a_box(with_room) : small_scene(with_room),
       [effect](const SmallScene& small) {
         return !small.scene.pairs.empty() && (effect != Outlook::drag || can_have_drag(small.scene));
       });
-  return rc::gen::resize(rc::kNominalSize, rc::gen::exec([effect, plain] { return with(effect, *plain); }));
+  return rc::gen::resize(rc::kNominalSize, rc::gen::exec([=] {
+                           SmallScene made = with(effect, *plain, wanted.gravity);
+                           for (const Outlook other : beside) {
+                             if (other != effect && once_in(2)) made = with_also(other, made);
+                           }
+                           return made;
+                         }));
 }
 
 rc::Gen<SmallScene> scene_in_a_box(const Wanted& wanted) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <vector>
 
 #include "properties/runs/scenes.hpp"
 
@@ -17,10 +18,13 @@ inline constexpr std::array kOutlook{
 const char* name_of(Outlook effect);
 std::ostream& operator<<(std::ostream& out, Outlook effect);
 
-/// Small scenes that call for an effect and hold nothing that is undefined beside it. Kicks are as strong as
-/// the scene is fast, and come some times in its duration; between walls every second scene falls,
-/// too. Law: (1) read_scene_text accepts what write_scene writes of each, and returns the same.
-rc::Gen<SmallScene> outlook_scene(Outlook effect, int dimension = 0);
+/// Small scenes that call for an effect and hold nothing that is undefined beside it, nor what is not wanted.
+/// Kicks are as strong as the scene is fast, and come some times in its duration; between walls
+/// every second scene falls, too, if that is wanted. Of the effects `beside` every second scene
+/// has each, where a scene can have both. Law: (1) read_scene_text accepts what write_scene writes of each,
+/// and returns the same.
+rc::Gen<SmallScene> outlook_scene(Outlook effect, const Wanted& wanted = {},
+                                  const std::vector<Outlook>& beside = {});
 
 /// Nothing at times of its own, no threshold, infinite masses at rest: what drag may be added to.
 bool can_have_drag(const Scene& scene);

@@ -21,8 +21,9 @@ struct Wanted {
   bool dissipation = true;  ///< coefficients below 1, and revolution at more than 1e-6 degrees
   bool changing_tethers = true;
   bool infinite_masses = true;
-  bool ties = true;   ///< starts at limits, alignments and whole numbers, which make events simultaneous
-  int dimension = 0;  ///< 2 or 3; 0: either
+  bool ties = true;     ///< starts at limits, alignments and whole numbers, which make events simultaneous
+  bool gravity = true;  ///< beside another effect of the outlook (outlook_scenes.hpp)
+  int dimension = 0;    ///< 2 or 3; 0: either
 };
 
 /// A scene as a generator made it; printed as the text of a scene file, which `tps run -` takes.
