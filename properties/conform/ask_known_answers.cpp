@@ -109,11 +109,17 @@ class KnownAnswers {
     Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,
             page_of(stratum.op)};
     row.reference = 0;
-    for (std::size_t n = 0; n < answers.size(); ++n) judge(stratum.cases[n], answers[n], row);
+    const Answer* parent = nullptr;
+    for (std::size_t n = 0; n < answers.size(); ++n) {
+      const bool is_sibling = stratum.cases[n].is_sibling;
+      if (!is_sibling) parent = &answers[n];
+      judge(stratum.cases[n], answers[n], is_sibling ? parent : nullptr, row);
+    }
     if (row.asked() > 0) verdict_.rows.push_back(std::move(row));
   }
 
-  void judge(const KnownQuestion& known, const Answer& answer, Row& row) {
+  /// `parent`: the answer to the question that this one is a sibling of, if it is one.
+  void judge(const KnownQuestion& known, const Answer& answer, const Answer* parent, Row& row) {
     if (answer.status == Answer::Status::failed)
       return verdict_.note_failure({known.id, answer.reason, plan_.commands_of(known.question)});
     note_numbers(answer.out, verdict_.environment);
@@ -134,6 +140,7 @@ class KnownAnswers {
     });
     if (found.which != Class::wrong) return;
     for (const std::string& name : hypotheses_fitting(known, answer.out)) ++row.hypotheses[name];
+    if (parent != nullptr && parent->out == answer.out) ++row.hypotheses[kRemembered];
   }
 
   /// Nothing where the equations do not answer this operation.

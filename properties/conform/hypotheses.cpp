@@ -138,8 +138,8 @@ std::vector<std::string> hypothesis_names() {
   for (const Mistake& mistake : mistakes()) {
     if (std::find(names.begin(), names.end(), mistake.name) == names.end()) names.push_back(mistake.name);
   }
-  names.insert(names.end(),
-               {"written with n digits", "written with n decimals", kFiniteMass, kSinglePrecision});
+  names.insert(names.end(), {"written with n digits", "written with n decimals", kFiniteMass,
+                             kSinglePrecision, kRemembered});
   return names;
 }
 

@@ -1,11 +1,14 @@
 #include "properties/conform/known_question.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "properties/conform/made_ahead.hpp"
+#include "properties/conform/siblings.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/number_text.hpp"
 #include "verify/vectors/generate.hpp"
@@ -43,27 +46,32 @@ bool holds(const Json& value, const Format& format) {
   return exponent < format.max_exponent && exponent >= 1 - format.max_exponent;
 }
 
-/// The case in numbers of the format; nothing where there is none.
-std::optional<Json> in_format(const std::string& op, Json known, const Format& format) {
-  if (format.bits >= 53) return known;
-  if (op == "next_event") return std::nullopt;
+/// The case with another question, in numbers of the format; nothing where that has no answer which the
+/// format holds.
+std::optional<Json> with_question(const std::string& op, const Json& known, const Json& in,
+                                  const Format& format) {
+  const bool narrow = format.bits < 53;
+  if (narrow && op == "next_event") return std::nullopt;
   try {
-    const Json in = rounded(known.at("in"), format);
-    const Json accept = known.at("accept"), id = known.at("id"), tags = known.at("tags");
-    known = vectors::known_answer(op, in);
+    const Json asked = narrow ? rounded(in, format) : in;
+    Json made = vectors::known_answer(op, asked);
     for (const char* key : {"t", "out"}) {
-      if (known.contains(key) && !holds(known.at(key), format)) return std::nullopt;
+      if (narrow && made.contains(key) && !holds(made.at(key), format)) return std::nullopt;
     }
-    known["in"] = in;
-    known["accept"] = accept;
-    known["id"] = id;
-    known["tags"] = tags;
-    return known;
+    made["in"] = asked;
+    for (const char* key : {"accept", "id", "tags"}) made[key] = known.at(key);
+    return made;
   } catch (const NotHeld&) {
   } catch (const InputError&) {
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;
+}
+
+/// The case in numbers of the format; nothing where there is none.
+std::optional<Json> in_format(const std::string& op, Json known, const Format& format) {
+  if (format.bits >= 53) return known;
+  return with_question(op, known, known.at("in"), format);
 }
 
 bool has_outer_collision(const Json& in) {
@@ -73,15 +81,51 @@ bool has_outer_collision(const Json& in) {
          });
 }
 
+bool can_be_asked(const Json& in, const Selection& selection) {
+  return selection.outer_groups || !has_outer_collision(in);
+}
+
+KnownQuestion question_of(const std::string& op, const char* stratum, Json known) {
+  const std::string id = known.at("id").get<std::string>();
+  return {id, stratum, {op, known.at("in")}, std::move(known)};
+}
+
 Stratum made(const vectors::Stratum& family, const Selection& selection, const Format& format) {
   Stratum stratum{family.op, family.name, family.why, {}};
   const vectors::Extent extent = vectors::extent_of(family, selection.level, 0);
   for (std::uint64_t n = extent.first; n < extent.first + extent.count; ++n) {
     const NoForkMeanwhile here;
     auto known = in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
-    if (!known || (!selection.outer_groups && has_outer_collision(known->at("in")))) continue;
-    stratum.cases.push_back(
-        {known->at("id").get<std::string>(), family.name, {family.op, known->at("in")}, std::move(*known)});
+    if (known && can_be_asked(known->at("in"), selection))
+      stratum.cases.push_back(question_of(family.op, family.name.c_str(), std::move(*known)));
+  }
+  return stratum;
+}
+
+/// Whether a change of the question changes the answer.
+bool happens_later(const Json& known) {
+  const auto t = known.find("t");
+  return t == known.end() || (!t->is_null() && vectors::read_number(t->at(0)) > 0);
+}
+
+/// The first cases of a stratum in which something happens, but not at once, each before its siblings.
+Stratum with_siblings(const vectors::Stratum& family, const Selection& selection, const Format& format) {
+  Stratum stratum{family.op, kSiblings, "one number of a question changed, everything else as it was", {}};
+  int parents = selection.level == 1 ? 1 : 4;
+  for (std::uint64_t n = 0; parents > 0 && n < static_cast<std::uint64_t>(family.committed); ++n) {
+    const NoForkMeanwhile here;
+    const auto parent =
+        in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
+    if (!parent || !happens_later(*parent) || !can_be_asked(parent->at("in"), selection)) continue;
+    --parents;
+    stratum.cases.push_back(question_of(family.op, kSiblings, *parent));
+    for (const Sibling& sibling : siblings_of(parent->at("in"))) {
+      auto other = with_question(family.op, *parent, sibling.in, format);
+      if (!other) continue;
+      (*other)["id"] = fmt::format("{}/{}", parent->at("id").get<std::string>(), sibling.changed);
+      stratum.cases.push_back(question_of(family.op, kSiblings, std::move(*other)));
+      stratum.cases.back().is_sibling = true;
+    }
   }
   return stratum;
 }
@@ -90,13 +134,19 @@ Stratum made(const vectors::Stratum& family, const Selection& selection, const F
 
 void for_known_questions(const Selection& selection, const Format& format,
                          const std::function<bool(Stratum)>& visit) {
-  std::vector<const vectors::Stratum*> wanted;
+  std::vector<std::function<Stratum()>> wanted;
+  const std::string* op = nullptr;
   for (const vectors::Stratum& family : vectors::strata()) {
-    if (selection.wants_op(family.op) && selection.wants_stratum(family.op + "." + family.name))
-      wanted.push_back(&family);
+    const bool is_first = op == nullptr || *op != family.op;
+    op = &family.op;
+    if (!selection.wants_op(family.op)) continue;
+    if (selection.wants_stratum(family.op + "." + family.name))
+      wanted.emplace_back([&] { return made(family, selection, format); });
+    if (is_first && selection.wants_stratum(siblings_name(family.op)))
+      wanted.emplace_back([&] { return with_siblings(family, selection, format); });
   }
   for_each_made_ahead<Stratum>(
-      wanted.size(), [&](std::size_t n) { return made(*wanted[n], selection, format); },
+      wanted.size(), [&](std::size_t n) { return wanted[n](); },
       [&](Stratum stratum) { return stratum.cases.empty() || visit(std::move(stratum)); });
 }
 

@@ -15,7 +15,8 @@ namespace tps::properties::conform {
 struct KnownQuestion {
   std::string id, stratum;
   Question question;
-  Json answer;  ///< as in known-answer files: verdict, t, out, nearest, cond, also, accept
+  Json answer;              ///< as in known-answer files: verdict, t, out, nearest, cond, also, accept
+  bool is_sibling = false;  ///< of the last question before it that is none (siblings.hpp)
 };
 
 /// Cases of one stratum: questions of one operation that aim at one hazard.
@@ -35,7 +36,8 @@ struct Selection {
 /// Makes the selected strata one after the other, as long as `visit` says so; on another thread, while
 /// `visit` is busy with those before. A format of fewer bits than double is asked about the nearest numbers
 /// that it has, and answers are those to these; what becomes no question, leaves the range of the format, or
-/// is a whole scene is left out. Law: (1) the same cases in every call.
+/// is a whole scene is left out. Behind the first stratum of an operation come siblings (siblings.hpp) of its
+/// first cases. Law: (1) the same cases in every call.
 void for_known_questions(const Selection& selection, const Format& format,
                          const std::function<bool(Stratum)>& visit);
 

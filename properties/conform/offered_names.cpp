@@ -8,6 +8,7 @@
 
 #include "properties/conform/ask_steps.hpp"
 #include "properties/conform/inquiry.hpp"
+#include "properties/conform/siblings.hpp"
 #include "properties/law.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/printable.hpp"
@@ -47,7 +48,10 @@ void check_operations(const std::vector<std::string>& patterns) {
 
 void check_strata(const std::vector<std::string>& patterns) {
   std::vector<std::string> names = step_rows();
-  for (const vectors::Stratum& stratum : vectors::strata()) names.push_back(stratum.op + "." + stratum.name);
+  for (const vectors::Stratum& stratum : vectors::strata()) {
+    names.push_back(stratum.op + "." + stratum.name);
+    if (!has(names, siblings_name(stratum.op))) names.push_back(siblings_name(stratum.op));
+  }
   if (const std::string* pattern = fits_none(patterns, names)) {
     const std::string nearest = nearest_name(*pattern, names);
     throw std::invalid_argument(

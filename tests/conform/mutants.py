@@ -59,6 +59,9 @@ WRONG = [
     Mutant("single_precision_inside", T, "a, h, distance = dot(v, v)", "import struct; " + FLOAT32 + "; r, v = single(r), single(v)\n    a, h, distance = dot(v, v)",
            "block_time", "float32 inside"),
     Mutant("ten_digits", P, "return value.hex() if", 'return float(f"{value:.9e}").hex() if', "block_time", "written with 10 digits"),
+    Mutant("remembered_without_L", T, "def quadratic(u_A, u_B, v_A, v_B, L):", "KNOWN = {}\n\n\ndef quadratic(u_A, u_B, v_A, v_B, L):\n"
+           "    of = repr((u_A, u_B, v_A, v_B))\n    if of not in KNOWN:\n        KNOWN[of] = coefficients(u_A, u_B, v_A, v_B, L)\n    return KNOWN[of]\n\n\n"
+           "def coefficients(u_A, u_B, v_A, v_B, L):", "block_time", "the answer to another question: remembered by too few of its numbers"),
     Mutant("six_decimals", P, "return value.hex() if", 'return float(f"{value:.6f}").hex() if', "load", "written with 6 decimals"),
     Mutant("half_refused", P, "try:\n        out", 'if request["seq"] % 2:\n        return {"error": "tired"}\n    try:\n        out', "load", kind="REFUSED"),
     Mutant("half_skipped", P, "if operation is None:", 'if operation is None or request["seq"] % 2:', "load", kind="REFUSED"),
