@@ -138,12 +138,25 @@ std::string report_junit(const Verdict& verdict) {
       skipped, cases);
 }
 
+namespace {
+
+/// One line that Markdown shows as it is: no tags, links or emphasis, and one cell of a table.
+std::string cell(std::string_view text) {
+  std::string shown;
+  for (const char c : printable(text)) {
+    if (c == '&' || c == '<' || c == '>') {
+      shown += c == '&' ? "&amp;" : c == '<' ? "&lt;" : "&gt;";
+    } else {
+      if (std::string_view("|`*[]").find(c) != std::string_view::npos) shown += '\\';
+      shown += c;
+    }
+  }
+  return shown;
+}
+
+}  // namespace
+
 std::string report_markdown(const Verdict& verdict) {
-  const auto cell = [](std::string text) {
-    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-      text.replace(at, 1, "\\|");
-    return printable(text);
-  };
   std::string text = fmt::format("### tps conform: {}\n\n{}\n", word_of(verdict), cell(sentence(verdict)));
   const auto counts = verdict.counts();
   text += "\n| class | answers |\n|---|---|\n";

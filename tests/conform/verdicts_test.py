@@ -204,6 +204,15 @@ class Reports(unittest.TestCase):
         self.assertIn("NOT conforming", out)
         self.assertIn("| block_time.plain |", out)
 
+    def test_markdown_shows_a_name_as_it_is(self):
+        hostile = "<img src=x>|`a`*b*[c](d)&amp;"
+        with tempfile.TemporaryDirectory() as folder:
+            profile = pathlib.Path(folder) / "profile.json"
+            profile.write_text(json.dumps({"conform_profile": 1, "name": hostile, "fails": ["WRONG"]}))
+            out = conform("--format", "markdown", "--profile", str(profile), *self.WORDS)[1]
+        self.assertIn("Profile &lt;img src=x&gt;\\|\\`a\\`\\*b\\*\\[c\\](d)&amp;amp;,", out)
+        self.assertNotIn("<img", out)
+
     def test_the_badge_names_profile_and_data(self):
         out = conform("--format", "svg", *self.WORDS)[1]
         root = xml.etree.ElementTree.fromstring(out)

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <unordered_map>
 
 #include "reference/text/file_kind.hpp"
 #include "reference/text/input_error.hpp"
@@ -94,12 +95,30 @@ class Findings {
   std::uint64_t judged_ = 0, problems_ = 0, refused_ = 0, skipped_ = 0;
 };
 
+constexpr const char* kNameless = "case";
+
 /// What a case is called in messages.
 std::string name_of(const Json& known) {
   return known.is_object() && known.contains("id") && known.at("id").is_string()
              ? known.at("id").get<std::string>()
-             : "case";
+             : kNameless;
 }
+
+/// Replies name cases by their ids, so no two have the same.
+class Ids {
+ public:
+  /// What is wrong with the case's id, if anything.
+  std::optional<std::string> wrong_in(const Json& known, const vectors::Place& place) {
+    const std::string id = name_of(known);
+    const auto [first, is_new] = seen_.try_emplace(id, place);
+    if (is_new || id == kNameless) return std::nullopt;
+    return fmt::format("the id stands twice, first at {}:{}", printable(first->second.file),
+                       first->second.line);
+  }
+
+ private:
+  std::unordered_map<std::string, vectors::Place> seen_;
+};
 
 /// What is wrong where the header names an operation that is none: nobody can be asked, so nobody is excused.
 std::optional<std::string> unknown_operation(const std::string& op) {
@@ -125,9 +144,11 @@ struct AskedCase {
 int verify_cases(const std::vector<std::string>& files) {
   require_distinct(files);
   Findings findings;
+  Ids ids;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      findings.judged();
-                     const auto wrong = vectors::wrong_in_case(op, known);
+                     auto wrong = vectors::wrong_in_case(op, known);
+                     if (!wrong) wrong = ids.wrong_in(known, place);
                      if (wrong) findings.problem(place, name_of(known) + ": " + *wrong);
                    },
                    [&](const std::string& problem, const vectors::Place& place) {
@@ -146,11 +167,14 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
   Findings findings;
   std::uint64_t seq = 0;
   std::vector<AskedCase> skips;
+  Ids ids;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      ++seq;
                      const std::string id = name_of(known);
                      if (const auto unknown = unknown_operation(op))
                        return findings.problem(place, id + ": " + *unknown);
+                     if (const auto twice = ids.wrong_in(known, place))
+                       return findings.problem(place, id + ": " + *twice);
                      const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
                      if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
                      if (reply->contains("out")) {
