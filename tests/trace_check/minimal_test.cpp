@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -37,6 +39,37 @@ std::string minimal_of(const std::string& full) {
     }
   }
   return text;
+}
+
+/// Every time off by half of the last place.
+std::string with_other_times(const std::string& minimal) {
+  std::istringstream lines(minimal);
+  std::string line, text;
+  while (std::getline(lines, line)) {
+    json event = json::parse(line);
+    if (event.contains("kind")) {
+      const double t = std::strtod(event["t"].get<std::string>().c_str(), nullptr);
+      event["t"] = std::nextafter(t, 2 * t);
+    }
+    text += event.dump() + "\n";
+  }
+  return text;
+}
+
+using CertifiedMinimal = Check;
+
+TEST_F(CertifiedMinimal, IsToldWhatItsHeaderPromises) {
+  run_shell(kTps + " run " TPS_SOURCE_DIR "/data/scenes/gas.json -q --timing certified --max-events 40 -o " +
+            file("full") + " > /dev/null");
+  const std::string rounded = with_other_times(minimal_of(content(file("full"))));
+  write("stable", rounded);
+  const Outcome taken = check(file("stable"));
+  EXPECT_EQ(taken.exit_code, 0) << taken.text;
+  EXPECT_EQ(taken.text.find("promises certified timing"), std::string::npos);
+  write("certified", R"({"options":{"timing":"certified"},)" + rounded.substr(1));
+  const Outcome promised = check(file("certified"));
+  EXPECT_EQ(promised.exit_code, 1);
+  expect_text(promised, R"(who writes t rounded once leaves "options" out of the header)");
 }
 
 /// Named like a scene of data/scenes, with _ for -.

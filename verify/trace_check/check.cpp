@@ -42,6 +42,18 @@ constexpr const char* kTakenAsEager =
     "the "
     "header says so";
 
+constexpr const char* kPromisesExactTimes =
+    "the header promises certified timing, so that times are held to exact ones and ties to their order; who "
+    "writes t rounded once leaves \"options\" out of the header";
+
+bool breaks_the_promise_of_times(const TraceFacts& facts, const CheckReport& report) {
+  return facts.minimal && facts.timing == Timing::certified &&
+         std::ranges::any_of(report.findings, [](const Finding& finding) {
+           return finding.outcome == Outcome::violated &&
+                  (finding.rule == Rule::contact || finding.rule == Rule::earliest);
+         });
+}
+
 /// A trace that does not say how its positions are kept is judged both ways. @return whether the second is
 /// the better one: nothing is violated then.
 bool explains_more(const CheckReport& strict, const CheckReport& eager) {
@@ -143,6 +155,7 @@ CheckReport check_trace(const std::string& path, const CheckOptions& options) {
     report = std::move(ways.back()->all.report);
     report.notes.emplace_back(kTakenAsEager);
   }
+  if (breaks_the_promise_of_times(facts, report)) report.notes.emplace_back(kPromisesExactTimes);
   report.interrupted = input.interrupted() || stop();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::move(report);
