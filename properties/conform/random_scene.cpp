@@ -194,6 +194,12 @@ void check_features(const std::vector<std::string>& words) {
   }
 }
 
+bool calls_for_effect(const std::string& word) {
+  Wishes wishes;
+  find(word)->apply(wishes);
+  return !wishes.outlook.empty();
+}
+
 std::string text_of_random(const Scene& scene, SceneStyle style) {
   const std::string text = write_scene(scene, style);
   if (!scene.title.ends_with(kTerse)) return text;

@@ -11,7 +11,7 @@ import sys
 import unittest
 
 import told_otherwise
-from asking import TPS, Asking
+from asking import TPS, Asking, adapter
 
 asking = Asking(shrink_seconds=0)
 SIMULATOR = pathlib.Path(__file__).resolve().parent / "told_otherwise.py"
@@ -66,6 +66,12 @@ class Effects(unittest.TestCase):
                 self.assertNotIn("gravity", made)
                 self.assertNotIn("drag", made)
                 self.assertIn("walls", made)
+
+    def test_single_steps_are_asked_without_effects(self):
+        code, found = asking.report("--ops", "next_event", "--features", "walls,gravity", *adapter("paper_loop"))
+        asked = {row["name"]: row["asked"] for row in found["rows"]}
+        self.assertEqual(code, 0, found["sentence"])
+        self.assertGreaterEqual(asked["next_event.step_rebound"], 5)
 
     def test_words_that_exclude_each_other_are_refused(self):
         for words, why in (("groups,walls", "beside that nothing is grouped"), ("contacts,gravity", "scenes of contacts have neither groups nor anything but ties"),
