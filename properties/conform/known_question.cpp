@@ -108,7 +108,23 @@ bool happens_later(const Json& known) {
   return t == known.end() || (!t->is_null() && vectors::read_number(t->at(0)) > 0);
 }
 
-/// The first cases of a stratum in which something happens, but not at once, each before its siblings.
+/// The case, its siblings, and the case again: what was asked in between changes nothing.
+void add_with_siblings(Stratum& stratum, const Json& parent, const Format& format) {
+  const auto add = [&](Json known, const std::string& what) {
+    if (!what.empty()) known["id"] = fmt::format("{}/{}", known.at("id").get<std::string>(), what);
+    stratum.cases.push_back(question_of(stratum.op, kSiblings, std::move(known)));
+  };
+  add(parent, "");
+  for (const Sibling& sibling : siblings_of(parent.at("in"))) {
+    auto known = with_question(stratum.op, parent, sibling.in, format);
+    if (!known) continue;
+    add(std::move(*known), sibling.changed);
+    stratum.cases.back().is_sibling = true;
+  }
+  add(parent, "again");
+}
+
+/// The first cases of a stratum in which something happens, but not at once.
 Stratum with_siblings(const vectors::Stratum& family, const Selection& selection, const Format& format) {
   Stratum stratum{family.op, kSiblings, "one number of a question changed, everything else as it was", {}};
   int parents = selection.level == 1 ? 1 : 4;
@@ -118,14 +134,7 @@ Stratum with_siblings(const vectors::Stratum& family, const Selection& selection
         in_format(family.op, vectors::case_object(family, vectors::kCommittedSeed, n), format);
     if (!parent || !happens_later(*parent) || !can_be_asked(parent->at("in"), selection)) continue;
     --parents;
-    stratum.cases.push_back(question_of(family.op, kSiblings, *parent));
-    for (const Sibling& sibling : siblings_of(parent->at("in"))) {
-      auto other = with_question(family.op, *parent, sibling.in, format);
-      if (!other) continue;
-      (*other)["id"] = fmt::format("{}/{}", parent->at("id").get<std::string>(), sibling.changed);
-      stratum.cases.push_back(question_of(family.op, kSiblings, std::move(*other)));
-      stratum.cases.back().is_sibling = true;
-    }
+    add_with_siblings(stratum, *parent, format);
   }
   return stratum;
 }

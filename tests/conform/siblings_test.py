@@ -64,6 +64,21 @@ class Siblings(unittest.TestCase):
     def test_whoever_remembers_all_conforms(self):
         self.assertEqual(self.wrong_without("nothing"), (0, set()))
 
+    def test_what_is_asked_in_between_changes_nothing(self):
+        """A program that keeps the tightest limit that it was ever asked about."""
+        self.program.write_text(FORGETFUL.replace("remembering(operation) for", "tightening(operation) for").replace("all = {", """LEAST = {}
+def tightening(operation):
+    def answer(**numbers):
+        if "L" in numbers:
+            of = str([numbers[name] for name in ("u_A", "u_B", "v_A", "v_B") if name in numbers])
+            numbers["L"] = LEAST[of] = min(numbers["L"], LEAST.get(of, numbers["L"]))
+        return operation(**numbers)
+    return answer
+all = {"""))
+        code, report = asking.report("--level", "2", "--tags", "block_time.siblings", "--", sys.executable, "-B", "-E", "-S", str(self.program), str(ADAPTERS), "-")
+        self.assertEqual(code, 1)
+        self.assertIn("/again", report["rows"][0]["example"]["id"])
+
     def test_each_input_matters(self):
         """But to an order, which is one of four words."""
         inputs_of = {op: keys for op, keys in inputs() if op != "order"}
