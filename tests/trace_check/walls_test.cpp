@@ -194,6 +194,29 @@ TEST(CheckOfWalls, LiesAreTold) {
   }
 }
 
+/// What is said of the first event at a face whose wall and face are these.
+std::string said_of(const testing::TracedRun& run, std::optional<int> wall, std::optional<int> face) {
+  const auto edit = [&](json& event) {
+    event.erase("wall");
+    event.erase("face");
+    if (wall) event["wall"] = *wall;
+    if (face) event["face"] = *face;
+    return true;
+  };
+  for (const check::Finding& finding : checked(with_event(run, "wall", 0, edit)).findings) {
+    if (finding.rule == check::Rule::contact) return finding.message;
+  }
+  return "nothing";
+}
+
+TEST(CheckOfWalls, AWallThatThereIsNotIsNamedWithThoseThatThereAre) {
+  const testing::TracedRun run = honest(walled(1), "double", Timing::stable);
+  EXPECT_EQ(said_of(run, 9, {}), "the scene has no wall 9; they are 0 to 4");
+  EXPECT_EQ(said_of(run, 0, {}), "wall 0 is a box, whose face the event has to name: from 0 to 5");
+  EXPECT_EQ(said_of(run, 0, 6), "wall 0 is a box, whose face the event has to name: from 0 to 5, not 6");
+  EXPECT_EQ(said_of(run, 1, 2), "wall 1 is no box and has no faces; leave face out");
+}
+
 // The events of a run without the block, under the header of one with it: nothing happens, and that is wrong.
 TEST(CheckOfWalls, WhoFliesThroughABlockIsTold) {
   const std::pair<Coordinates, Coordinates> flights[] = {

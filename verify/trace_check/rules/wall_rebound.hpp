@@ -132,6 +132,26 @@ Work<Number> slack_at_wall(const Context<Number>& c, const EventLine<Number>& ev
                          .of_i;
 }
 
+/// Why the event's wall and face are none of the scene's.
+template <typename Number>
+std::string no_such_surface(const std::vector<WallModel<Number>>& walls, const EventLine<Number>& event) {
+  std::optional<int> last_face;
+  bool is_there = false;
+  for (const WallModel<Number>& wall : walls) {
+    if (event.wall != static_cast<int>(wall.surface.wall)) continue;
+    is_there = true;
+    last_face = std::max(last_face, wall.surface.face);
+  }
+  const int last_wall = walls.empty() ? -1 : static_cast<int>(walls.back().surface.wall);
+  if (!is_there) {
+    return fmt::format("the scene has no wall {}; {}", event.wall.value_or(-1),
+                       last_wall < 0 ? "it has none" : fmt::format("they are 0 to {}", last_wall));
+  }
+  if (!last_face) return fmt::format("wall {} is no box and has no faces; leave face out", *event.wall);
+  return fmt::format("wall {} is a box, whose face the event has to name: from 0 to {}{}", *event.wall,
+                     *last_face, event.face ? fmt::format(", not {}", *event.face) : "");
+}
+
 }  // namespace detail
 
 /// The last rounding of the velocity is directed, so that the particle leaves the wall exactly (D25).
@@ -166,7 +186,7 @@ void judge_wall_rebound(const Context<Number>& c, const EventLine<Number>& event
   const std::optional<std::size_t> n = c.model.wall_of(event);
   c.tally.demand(Rule::contact, n.has_value() && !c.model.fixed(event.i), [&](Finding& f) {
     f.message = n ? fmt::format("particle {} has infinite mass; no wall blocks it", c.model.id(event.i))
-                  : "the scene has no such wall or face";
+                  : detail::no_such_surface(c.model.walls, event);
   });
   if (!n || c.model.fixed(event.i)) return;
   const WallModel<Number>& wall = c.model.walls[*n];
