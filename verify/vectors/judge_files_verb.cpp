@@ -95,23 +95,20 @@ class Findings {
   std::uint64_t judged_ = 0, problems_ = 0, refused_ = 0, skipped_ = 0;
 };
 
-constexpr const char* kNameless = "case";
-
 /// What a case is called in messages.
 std::string name_of(const Json& known) {
   return known.is_object() && known.contains("id") && known.at("id").is_string()
              ? known.at("id").get<std::string>()
-             : kNameless;
+             : "case";
 }
 
-/// Replies name cases by their ids, so no two have the same.
+/// Cases that share an id may be proven together, but a reply that names it answers nobody knows which.
 class Ids {
  public:
-  /// What is wrong with the case's id, if anything.
+  /// What is wrong with a case that a reply names by its id.
   std::optional<std::string> wrong_in(const Json& known, const vectors::Place& place) {
-    const std::string id = name_of(known);
-    const auto [first, is_new] = seen_.try_emplace(id, place);
-    if (is_new || id == kNameless) return std::nullopt;
+    const auto [first, is_new] = seen_.try_emplace(name_of(known), place);
+    if (is_new) return std::nullopt;
     return fmt::format("the id stands twice, first at {}:{}", printable(first->second.file),
                        first->second.line);
   }
@@ -144,11 +141,9 @@ struct AskedCase {
 int verify_cases(const std::vector<std::string>& files) {
   require_distinct(files);
   Findings findings;
-  Ids ids;
   read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
                      findings.judged();
-                     auto wrong = vectors::wrong_in_case(op, known);
-                     if (!wrong) wrong = ids.wrong_in(known, place);
+                     const auto wrong = vectors::wrong_in_case(op, known);
                      if (wrong) findings.problem(place, name_of(known) + ": " + *wrong);
                    },
                    [&](const std::string& problem, const vectors::Place& place) {
@@ -173,9 +168,11 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
                      const std::string id = name_of(known);
                      if (const auto unknown = unknown_operation(op))
                        return findings.problem(place, id + ": " + *unknown);
-                     if (const auto twice = ids.wrong_in(known, place))
-                       return findings.problem(place, id + ": " + *twice);
                      const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
+                     if (reply != nullptr && replies.names(known)) {
+                       if (const auto twice = ids.wrong_in(known, place))
+                         return findings.problem(place, id + ": " + *twice);
+                     }
                      if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
                      if (reply->contains("out")) {
                        // What is not proven judges nobody.

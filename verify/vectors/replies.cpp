@@ -25,6 +25,10 @@ constexpr std::size_t kLongestReply = std::size_t{1} << 20U;
 
 }  // namespace
 
+bool Replies::names(const Json& known) const {
+  return by_case.contains(json_text(known.at("id")));
+}
+
 const Json* Replies::find(const Json& known, std::uint64_t seq) const {
   auto reply = by_case.find(json_text(known.at("id")));
   if (reply == by_case.end()) reply = by_case.find(std::to_string(seq));

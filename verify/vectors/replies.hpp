@@ -16,6 +16,8 @@ struct Replies {
   std::unordered_map<std::string, vectors::Json> by_case;
   std::set<std::string> offered;
 
+  /// Whether a reply is to the case by its id.
+  bool names(const vectors::Json& known) const;
   /// The reply to a case; null where there is none.
   const vectors::Json* find(const vectors::Json& known, std::uint64_t seq) const;
 };
