@@ -222,6 +222,38 @@ TEST(Drag, TheClockOfTheEndOfAMinimalTraceIsThatOfItsTime) {
   EXPECT_TRUE(testing::says(checked(minimal_of(run, 0)), "below its rounding"));
 }
 
+// However a program computes the time of an event from its clock, or the clock from the time, both fit;
+// another time does not.
+TEST(Drag, TheTimeOfAnEventOfAMinimalTraceIsThatOfItsClock) {
+  for (const double gamma : {1e-9, 1e-3, .125, .9}) {
+    const testing::TracedRun run = testing::traced(meeting(gamma, 3));
+    ASSERT_GE(run.events.size(), 1U) << gamma;
+    for (const double start : {0., .1, -1000., 1e9}) {
+      const std::string bytes = minimal_of(run, start);
+      const std::size_t begin = bytes.find('\n') + 1;
+      const json event = json::parse(bytes.substr(begin, bytes.find('\n', begin) - begin));
+      const double s = std::strtod(event["s"].get<std::string>().c_str(), nullptr);
+      const auto with = [&](double t, double clock) {
+        return checked(with_minimal_line(bytes, "kind", 0, [&](json& line) {
+          line["t"] = t;
+          line["s"] = clock;
+        }));
+      };
+      const double naive = -std::log(1 - gamma * s) / gamma, careful = -std::log1p(-gamma * s) / gamma;
+      for (const double T : {naive, careful}) {
+        EXPECT_EQ(violated(with(start + T, s), check::Rule::order), 0U) << gamma << ' ' << start << ' ' << T;
+        const double back = (1 - std::exp(-gamma * ((start + T) - start))) / gamma;
+        EXPECT_EQ(violated(with(start + T, back), check::Rule::order), 0U) << gamma << ' ' << start;
+      }
+      const double off = 16 * 0x1p-53 / gamma / (1 - gamma * s) + 16 * 0x1p-53 * (careful + std::abs(start));
+      for (const double T : {careful - off, careful + off, careful / 2, 2 * careful}) {
+        if (std::abs(T - careful) < off) continue;
+        EXPECT_GT(violated(with(start + T, s), check::Rule::order), 0U) << gamma << ' ' << start << ' ' << T;
+      }
+    }
+  }
+}
+
 /// Every road of drag_time, to a number with no rounding in it.
 TEST(DragTime, IsTheNearestDouble) {
   std::mt19937_64 random(7);

@@ -20,8 +20,58 @@ inline bool is_reached(double gamma, const Dyadic& s) {
   return (Dyadic{1, 0} - dyadic(gamma) * s).sign() > 0;
 }
 
+/// How a clock s stands to the one that a time T makes, (1 − e^{−γT})/γ, where T may be off by `of_time` and
+/// s by 8u/γ, u of double at least: times are printed as doubles whatever the scalar is. docs/check.md, "A
+/// minimal trace".
+struct ClockOfTime {
+  bool too_late, too_early;
+  bool says_nothing;  ///< s = 0 would do as well, of a T above 0
+
+  bool fits() const { return !too_late && !too_early; }
+};
+
+/// Roundings of double, or of a narrower scalar.
+template <typename Number>
+Work<Number> u_of_times(const Context<Number>& c) {
+  return std::max(c.u(), Work<Number>(std::numeric_limits<double>::epsilon() / 2));
+}
+
+template <typename Number>
+ClockOfTime clock_of_time(const Context<Number>& c, const Dyadic& s, const Dyadic& T,
+                          const Work<Number>& of_time) {
+  using W = Work<Number>;
+  const double gamma = c.model.scene.drag->gamma;
+  const Dyadic off = dyadic(W(c.scale() * W(8) * u_of_times(c) / W(gamma)));
+  const Dyadic blur = dyadic(W(c.scale() * of_time));
+  const auto later_than = [&](const Dyadic& clock, const Dyadic& time) {
+    return !is_reached(gamma, clock) || exact::compare_drag_time(gamma, clock, time) == exact::Sign::positive;
+  };
+  const auto earlier_than = [&](const Dyadic& clock, const Dyadic& time) {
+    return is_reached(gamma, clock) && exact::compare_drag_time(gamma, clock, time) == exact::Sign::negative;
+  };
+  const Dyadic least = s - off, most = s + off;
+  return {least.sign() > 0 && later_than(least, T + blur), most.sign() < 0 || earlier_than(most, T - blur),
+          T.sign() > 0 && later_than(off, T)};
+}
+
+/// t and s of an event of a minimal trace, either of which may be computed from the other: a logarithm within
+/// two ulps and its quotient are worth 6u of T, the two roundings of t and its start 2u(|T| + |start|).
+template <typename Number>
+void judge_minimal_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>& s, double time) {
+  using W = Work<Number>;
+  using std::abs;
+  const double start = c.model.scene.start_time;
+  const W T(time - start);
+  const W of_time = u_of_times(c) * (W(8) * abs(T) + W(2) * abs(W(start)));
+  const bool fits = clock_of_time(c, lifted(s), dyadic(time) - dyadic(start), of_time).fits();
+  c.tally.demand(rule, fits, [&](Finding& f) {
+    f.message =
+        fmt::format("the time {:.17g} is not start − ln(1 − γs)/γ at s = {}", time, shown(W(s.hi), 17));
+  });
+}
+
 /// The time of an event or a state is the double nearest to start − ln(1 − γs)/γ, and there is one: γs < 1.
-/// Of minimal traces, whose logarithm may be any library's, only the latter is judged.
+/// Of minimal traces it is any evaluation of it.
 template <typename Number>
 void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>& s,
                      const std::optional<double>& time) {
@@ -34,10 +84,7 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
                             shown(Work<Number>(gamma) * Work<Number>(s.hi)));
   });
   if (!happens) return;
-  if (c.minimal) {
-    c.tally.not_judged(rule, "times of a minimal trace with drag, beside their s");
-    return;
-  }
+  if (c.minimal) return judge_minimal_drag_time(c, rule, s, *time);
   const bool nearest = exact::is_nearest_drag_time(gamma, lifted(s), scene.start_time, *time);
   c.tally.demand(rule, nearest, [&](Finding& f) {
     f.message = fmt::format("the time {:.17g} is not the double nearest to start − ln(1 − γs)/γ at s = {}",
@@ -46,35 +93,19 @@ void judge_drag_time(const Context<Number>& c, Rule rule, const Instant<Number>&
 }
 
 /// The clock of the end of a minimal trace is any evaluation of (1 − e^{−γT})/γ, T being what its t is after
-/// the start: within 8u/γ for a T that is off by 2u(|T| + |start|). docs/check.md, "A minimal trace".
+/// the start: off by 2u(|T| + |start|).
 template <typename Number>
 void judge_minimal_drag_end(const Context<Number>& c, const EndLine<Number>& end) {
   using W = Work<Number>;
   using std::abs;
-  const double gamma = c.model.scene.drag->gamma;
-  // The s of an end, and the time that is printed, may be doubles whatever the scalar.
-  const W u = std::max(c.u(), W(std::numeric_limits<double>::epsilon() / 2));
-  const W of_time = W(2) * u * (abs(W(end.duration->hi)) + abs(W(c.model.scene.start_time)));
-  const Dyadic off = dyadic(W(c.scale() * W(8) * u / W(gamma)));
-  const Dyadic blur = dyadic(W(c.scale() * of_time));
-  const Dyadic s = lifted(end.t), T = lifted(*end.duration);
-  const Dyadic least = s - off, most = s + off;
-  const bool too_late =
-      least.sign() > 0 && (!is_reached(gamma, least) ||
-                           exact::compare_drag_time(gamma, least, T + blur) == exact::Sign::positive);
-  const bool too_early =
-      most.sign() < 0 ||
-      (is_reached(gamma, most) && exact::compare_drag_time(gamma, most, T - blur) == exact::Sign::negative);
-  c.tally.demand(Rule::end, !too_late && !too_early, [&](Finding& f) {
+  const W of_time = W(2) * u_of_times(c) * (abs(W(end.duration->hi)) + abs(W(c.model.scene.start_time)));
+  const ClockOfTime clock = clock_of_time(c, lifted(end.t), lifted(*end.duration), of_time);
+  c.tally.demand(Rule::end, clock.fits(), [&](Finding& f) {
     f.message = fmt::format("the clock s = {} is not that of the end after {}: s = (1 − e^{{−γT}})/γ is {}",
-                            shown(W(end.t.hi)), shown(W(end.duration->hi)), too_late ? "less" : "more");
+                            shown(W(end.t.hi)), shown(W(end.duration->hi)), clock.too_late ? "less" : "more");
   });
-  const bool says_nothing =
-      T.sign() > 0 &&
-      (!is_reached(gamma, off) || exact::compare_drag_time(gamma, off, T) == exact::Sign::positive);
-  if (says_nothing && !too_late && !too_early) {
+  if (clock.says_nothing && clock.fits())
     c.tally.not_judged(Rule::end, "s of an end for which 1 − e^{−γT} is below its rounding");
-  }
 }
 
 /// The clock of an end by duration is the last number of the scalar (of double for a wider one) before the
