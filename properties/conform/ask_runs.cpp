@@ -41,6 +41,10 @@ class Runs {
                       failures_ == kMostFailures ? "failures" : "runs without an end");
     }
     if (const auto words = hint_.words()) verdict_.notes["hint"] = *words;
+    if (std::none_of(plan_.features.begin(), plan_.features.end(), calls_for_effect)) {
+      verdict_.notes["effects of the outlook"] = fmt::format(
+          "not asked; --features {} asks for those that the simulator has", fmt::join(effect_words(), ","));
+    }
     verdict_.rows.push_back(whole_);
     for (auto& [feature, row] : by_feature_) verdict_.rows.push_back(std::move(row));
   }

@@ -29,9 +29,15 @@ constexpr const char* kTerse = ", defaults left out";
 /// Words of which no scene has the first and one of the others.
 struct Exclusion {
   const char* word;
-  std::vector<const char*> others;
+  std::vector<std::string> others;
   const char* why;
 };
+
+std::vector<std::string> without_contacts() {
+  std::vector<std::string> words = effect_words();
+  words.insert(words.end(), {"groups", "no-ties"});
+  return words;
+}
 
 const std::vector<Exclusion>& exclusions() {
   constexpr const char* kGiveOne = "give one";
@@ -42,10 +48,7 @@ const std::vector<Exclusion>& exclusions() {
       {"groups",
        {"thermostat", "drag", "friction", "walls", "block", "periodic"},
        "beside that nothing is grouped (docs/effects.md)"},
-      {kContacts,
-       {"groups", "no-ties", "gravity", "random-impulses", "thermostat", "drag", "friction", "walls", "block",
-        "periodic"},
-       "scenes of contacts have neither groups nor anything but ties"},
+      {kContacts, without_contacts(), "scenes of contacts have neither groups nor anything but ties"},
   };
   return all;
 }
@@ -185,7 +188,7 @@ void check_features(const std::vector<std::string>& words) {
         fmt::format("{} is no feature of scenes; there are {}", word, fmt::join(names, ", ")));
   }
   for (const Exclusion& exclusion : exclusions()) {
-    for (const char* other : exclusion.others) {
+    for (const std::string& other : exclusion.others) {
       if (has(words, exclusion.word) && has(words, other)) {
         throw std::invalid_argument(
             fmt::format("{} and {} exclude each other: {}", exclusion.word, other, exclusion.why));
@@ -198,6 +201,14 @@ bool calls_for_effect(const std::string& word) {
   Wishes wishes;
   find(word)->apply(wishes);
   return !wishes.outlook.empty();
+}
+
+std::vector<std::string> effect_words() {
+  std::vector<std::string> words;
+  for (const FeatureFacts& facts : scene_features()) {
+    if (calls_for_effect(facts.name)) words.push_back(facts.name);
+  }
+  return words;
 }
 
 std::string text_of_random(const Scene& scene, SceneStyle style) {

@@ -23,6 +23,8 @@ void check_features(const std::vector<std::string>& words);
 
 /// Whether scenes have an effect of the outlook because of the word. REQUIRES check_features().
 bool calls_for_effect(const std::string& word);
+/// Those words.
+std::vector<std::string> effect_words();
 
 /// Scene `number` of a seed. It ends by its duration, or because nothing is left to happen, after at most a
 /// hundred events of the reference; nothing where the number stands for one that collapses or leaves the

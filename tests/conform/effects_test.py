@@ -39,6 +39,11 @@ class Effects(unittest.TestCase):
                 self.assertEqual(code, 0, found["sentence"])
                 asked = {each["name"]: each["asked"] for each in found["rows"]}
                 self.assertGreaterEqual(asked.get(f"run.{row}", 0), 10, asked)
+                self.assertNotIn("effects of the outlook", found["notes"])
+
+    def test_a_verdict_without_them_says_so(self):
+        _, found = report("none", "no-groups", 3)
+        self.assertEqual(found["notes"]["effects of the outlook"], f"not asked; --features {','.join(ROWS)} asks for those that the simulator has")
 
     def test_who_knows_a_scene_otherwise_is_wrong(self):
         for lie, (word, _) in told_otherwise.LIES.items():
