@@ -22,7 +22,7 @@ void change_each(const Json& whole, const Json::json_pointer& place, std::vector
   }
   if (!here.is_string()) return;
   const HexFloat number = parse_hex_float(here.get_ref<const std::string&>());
-  if (number.verdict != HexFloat::Verdict::exact) return;
+  if (number.verdict != HexFloat::Verdict::exact || otherwise(number.value) == number.value) return;
   Json changed = whole;
   changed.at(place) = write_hex_float(otherwise(number.value));
   found.push_back({place.to_string().substr(1), std::move(changed)});

@@ -21,7 +21,8 @@ struct Sibling {
 };
 
 /// One for each finite number of a question: with seven eighths of it, an eighth where it is 0, and nothing
-/// else changed. Not each of them is a question. Law: (1) no two are equal, and none is equal to `in`.
+/// else changed (none for 5e-324, which that rounds to). Not each of them is a question. Law: (1) no two are
+/// equal, and none is equal to `in`.
 std::vector<Sibling> siblings_of(const nlohmann::ordered_json& in);
 
 }  // namespace tps::properties::conform

@@ -44,7 +44,7 @@ Scalar angle_in_degrees(double theta_deg) {
 ///
 /// tan 45° is exactly 1. Above 45° it is 1 / tan(90° − θ), where 90 − θ is exact: the tangent of a rounded
 /// π/2 − ε would lose ε.
-/// Law: tan_degrees(θ) · tan_degrees(90 − θ) == 1 to two roundings.
+/// Law: where 90 − θ is exact, as from 45 on, tan_degrees(θ) · tan_degrees(90 − θ) == 1 to two roundings.
 template <typename Scalar>
 Scalar tan_degrees(const Scalar& theta_deg) {
   using std::tan;

@@ -47,8 +47,8 @@ Dyadic exact_dot(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B, con
 ///
 /// A rounded sum decides where its error cannot: two differences, a product and at most two additions a term
 /// are at most 5 · 2u of Σ|r_k w_k| even where subtraction errs by 0.75 ulp, 16 · 2u with its own rounding;
-/// an underflow adds less than the smallest normal number. Else integers decide. Of an image the terms of a
-/// difference cancel, so that the size is that of both.
+/// an underflow adds less than the smallest normal number. Else integers decide. With an image u_B − u_A
+/// and the shift nearly cancel: the size is that of both.
 /// 0 where an input is not finite. Laws: (1) exchanging A and B keeps it; (2) exchanging velocities flips it;
 /// (3) lengths or velocities times 2^k keep it.
 template <typename Scalar, int D>
@@ -145,8 +145,8 @@ Scalar next_velocity(const Scalar& x, Rounding outwards) {
 /// After a pull v_n' = 0 will do only for a pair at rest: across the axis it would leave at once, so that
 /// there one number further is taken.
 ///
-/// @param image of B, where one is meant. @param m_A,m_B masses in (0, ∞], of bodies where particles are
-/// grouped. REQUIRES not both infinite, u_A ≠ u_B.
+/// @param u_A,u_B positions at the event, m_A,m_B masses in (0, ∞] (of bodies), v the rounded velocities,
+/// leaving the sign wanted, image of B or null. @return v, mended. REQUIRES not both m = ∞, u_A ≠ u_B.
 /// Laws: (1) afterwards the exact v_n' is ≥ 0 (`apart`), < 0 or the pair at rest (`together`);
 /// (2) velocities that have the right sign are kept bitwise; (3) an infinite mass, and the heavier one,
 /// keeps its velocity; (4) at most one component changes, and those that tie with it, of both bodies only

@@ -7,7 +7,7 @@
 
 namespace tps {
 
-/// Which case of the quadratic a timing query fell into.
+/// Which case of the quadratic a timing query fell into. h = r·v (of a plane n·v), D = h² − ac.
 enum class TimingVerdict {
   static_pair,    ///< v = 0: the distance does not change
   receding,       ///< blocking, h ≥ 0: not approaching
@@ -40,7 +40,7 @@ constexpr bool at_once(TimingVerdict verdict) {
          verdict == TimingVerdict::taut || verdict == TimingVerdict::overstretched;
 }
 
-/// The answer to a timing query: `t` ≥ 0 from now, absent where there is no event.
+/// The answer to a timing query: `t` ≥ 0 from now, in units of time; absent where there is no event.
 template <typename Scalar>
 struct CollisionTime {
   TimingVerdict verdict;

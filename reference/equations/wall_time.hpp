@@ -32,7 +32,7 @@ WallApproach<Scalar> wall_approach(const Vector<Scalar, D>& u_A, const Vector<Sc
 /// @param normal   n, of length 1; distances are in units of it
 /// @return verdict, and t in units of time: 0 for `overlap` (beyond the limit) and `contact`, positive for
 /// `hit`, absent for `static` (v = 0) and `receding` (n·v ≥ 0).
-/// REQUIRES finite inputs with finite differences. A time beyond the scalar's range is ∞ or 0.
+/// REQUIRES finite inputs with finite differences. That of a `hit` beyond the scalar's range is ∞ or 0.
 /// Laws: (1) t (−n·v) is n·r − L, to rounding; (2) a plane of the same normal through any other of its points
 /// gives the same; (3) lengths and velocities times 2^k leave the verdict and t unchanged bitwise, where no
 /// product underflows; (4) what is common to both velocities or both positions changes nothing where adding

@@ -1,12 +1,12 @@
-// m |x|² and |x|²/m, in the range of the scalar wherever the results are: a square alone may leave it, as
-// that of a blow in SI units does in float. docs/engine.md, "Range".
+// m |x|² and |x|²/m where the square alone would leave the range of the scalar, as that of a blow in SI units
+// does in float; m itself is inside it by a factor of 4. docs/engine.md, "Range".
 #pragma once
 
 #include "reference/equations/vector.hpp"
 
 namespace tps {
 
-/// m |x|², twice an energy. The bits of m * x.squaredNorm() where that square is in a comfortable range.
+/// m |x|², twice an energy: the bits of m * x.squaredNorm() where that is in a comfortable range. m < ∞.
 template <typename Scalar, int D>
 Scalar weighted_square(const Scalar& m, const Vector<Scalar, D>& x) {
   using std::ldexp;
