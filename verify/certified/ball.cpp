@@ -1,9 +1,5 @@
 #include "verify/certified/ball.hpp"
 
-#include <iterator>
-#include <string>
-#include <vector>
-
 #include "verify/certified/arb_functions.hpp"
 
 namespace tps::certified {
@@ -13,27 +9,16 @@ namespace {
 class Flint {
  public:
   Flint() { loaded::fmpz_init(x_); }
-  explicit Flint(const Integer& x) : Flint() {
-    std::vector<ulong> limbs;
-    export_bits(abs(x), std::back_inserter(limbs), FLINT_BITS, false);
-    loaded::fmpz_set_ui_array(x_, limbs.data(), static_cast<slong>(limbs.size()));
-    if (x < 0) loaded::fmpz_neg(x_, x_);
-  }
+  explicit Flint(const Integer& x) : Flint() { loaded::fmpz_set_mpz(x_, x.backend().data()); }
   ~Flint() { loaded::fmpz_clear(x_); }
   Flint(const Flint&) = delete;
   Flint& operator=(const Flint&) = delete;
 
   fmpz* get() { return x_; }
   Integer integer() const {
-    std::vector<ulong> limbs(static_cast<std::size_t>(loaded::fmpz_size(x_)) + 1);
-    fmpz_t magnitude;
-    loaded::fmpz_init(magnitude);
-    loaded::fmpz_abs(magnitude, x_);
-    loaded::fmpz_get_ui_array(limbs.data(), static_cast<slong>(limbs.size()), magnitude);
-    loaded::fmpz_clear(magnitude);
     Integer result;
-    import_bits(result, limbs.begin(), limbs.end(), FLINT_BITS, false);
-    return loaded::fmpz_sgn(x_) < 0 ? Integer(-result) : result;
+    loaded::fmpz_get_mpz(result.backend().data(), x_);
+    return result;
   }
 
  private:
