@@ -8,6 +8,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 
@@ -15,7 +16,7 @@ namespace tps::properties {
 namespace {
 
 Json number_json(double x) {
-  return write_hex_float(x);
+  return to_hex<double>(x);
 }
 
 double read_number(const Json& value, const std::string& key) {
@@ -41,7 +42,7 @@ bool is_spin_in_the_plane(std::string_view key, int dimension) {
 
 std::string number_text(double x) {
   const std::string decimal = fmt::format("{}", x);
-  return decimal.size() <= 8 ? decimal : write_hex_float(x);
+  return decimal.size() <= 8 ? decimal : to_hex<double>(x);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ const char* name_of(TimingKind kind) {
 }
 
 Json hex(double x) {
-  return write_hex_float(x);
+  return to_hex<double>(x);
 }
 
 Time time_of(const std::string& op, const Json& out) {

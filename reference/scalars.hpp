@@ -1,8 +1,11 @@
 // The scalar types that the engine is compiled for, and their names in commands and files.
 #pragma once
 
+#include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
+#include <cstddef>
+#include <limits>
 #include <string_view>
 
 #include "reference/equations/wide_square_root.hpp"
@@ -28,5 +31,24 @@ template <>
 inline constexpr std::string_view scalar_name<Mp50> = "mp50";
 template <>
 inline constexpr std::string_view scalar_name<Mp100> = "mp100";
+
+template <typename... Scalars>
+struct ScalarList {
+  static constexpr std::array<std::string_view, sizeof...(Scalars)> names{scalar_name<Scalars>...};
+  /// Of their significands.
+  static constexpr std::array<int, sizeof...(Scalars)> bits{std::numeric_limits<Scalars>::digits...};
+
+  /// ask.operator()<Scalar>() of the n-th. REQUIRES n < names.size().
+  template <typename Result, typename Ask>
+  static Result ask_of(std::size_t n, const Ask& ask) {
+    constexpr std::array<Result (*)(const Ask&), sizeof...(Scalars)> asks{
+        [](const Ask& each) -> Result { return each.template operator()<Scalars>(); }...};
+    return asks.at(n)(ask);
+  }
+};
+
+/// The one list, in the order of ScalarKind (reference/run/run.hpp): names, digits and dispatches are made of
+/// it.
+using AllScalars = ScalarList<float, double, long double, Quad, Mp50, Mp100>;
 
 }  // namespace tps

@@ -47,7 +47,7 @@ Json nearest_of(const KnownQuestion& known) {
   const Expected expected = expected_of(known).front();
   for (const ExpectedNumbers& numbers : expected.numbers) {
     Json list = Json::array();
-    for (const ExpectedNumbers::End& end : numbers.ends) list.push_back(write_hex_float(end.nearest));
+    for (const ExpectedNumbers::End& end : numbers.ends) list.push_back(to_hex<double>(end.nearest));
     right[numbers.key] = numbers.key == "t" ? list.front() : list;
   }
   return right;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "properties/conform/asked_otherwise.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// @return whether anything was infinite.
 bool replace_infinity(Json& value, double mass) {
   if (value == "inf") {
-    value = write_hex_float(mass);
+    value = to_hex<double>(mass);
     return true;
   }
   bool any = false;

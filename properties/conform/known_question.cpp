@@ -9,8 +9,10 @@
 
 #include "properties/conform/made_ahead.hpp"
 #include "properties/conform/siblings.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/number_text.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/vectors/generate.hpp"
 
 namespace tps::properties::conform {
@@ -32,7 +34,7 @@ Json rounded(const Json& value, const Format& format) {
   // Subnormals of the format have fewer bits; a question that needs them is left out, too.
   const int exponent = std::ilogb(number.value);
   if (exponent >= format.max_exponent || exponent < 1 - format.max_exponent) throw NotHeld{};
-  return write_hex_float(format.rounded(number.value));
+  return to_hex<double>(format.rounded(number.value));
 }
 
 /// Whether the format has room for every end of every enclosure.
@@ -63,6 +65,7 @@ std::optional<Json> with_question(const std::string& op, const Json& known, cons
     return made;
   } catch (const NotHeld&) {
   } catch (const InputError&) {
+  } catch (const eval::NoAnswer&) {
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "properties/conform/expected.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -21,7 +21,7 @@ bool offers(Implementation& subject, const std::string& op) {
 }
 
 Json vector(double x, double y) {
-  return {write_hex_float(x), write_hex_float(y)};
+  return {to_hex<double>(x), to_hex<double>(y)};
 }
 
 /// A number that goes through the subject unchanged: an impulse of zero, or the load of two equal velocities.
@@ -51,7 +51,7 @@ std::optional<bool> contracts(Implementation& subject) {
                   {"u_B", vector(side * 0.1, side * 0.3)},
                   {"v_A", vector(0, 0)},
                   {"v_B", vector(0.3, -0.1)},
-                  {"L", write_hex_float(0x1p-10)}};
+                  {"L", to_hex<double>(0x1p-10)}};
     const Answer answer = answer_to(subject, {"block_time", in});
     if (answer.status != Answer::Status::answered || !answer.out.is_object()) return std::nullopt;
     const Json verdict = answer.out.value("verdict", Json());

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/text/input_error.hpp"
+#include "reference/text/json_pointer.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties::conform {
@@ -69,7 +70,7 @@ Profile read_file(const std::string& file) {
       for (std::size_t n = 0; n < value.size(); ++n)
         profile.fails[index_of(class_in(file, value[n], n))] = true;
     } else {
-      refuse(file, "/" + key,
+      refuse(file, "/" + escape_pointer_key(key),
              "is no key of a profile, or not what it takes: name (words), fails (a list of classes), bits (8 "
              "to 400)");
     }

@@ -1,5 +1,6 @@
 #include "properties/conform/siblings.hpp"
 
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 
 namespace tps::properties::conform {
@@ -24,7 +25,7 @@ void change_each(const Json& whole, const Json::json_pointer& place, std::vector
   const HexFloat number = parse_hex_float(here.get_ref<const std::string&>());
   if (number.verdict != HexFloat::Verdict::exact || otherwise(number.value) == number.value) return;
   Json changed = whole;
-  changed.at(place) = write_hex_float(otherwise(number.value));
+  changed.at(place) = to_hex<double>(otherwise(number.value));
   found.push_back({place.to_string().substr(1), std::move(changed)});
 }
 

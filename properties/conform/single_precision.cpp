@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "properties/conform/asked_otherwise.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -28,12 +28,12 @@ Json rounded(const Json& value) {
   }
   if (!value.is_string()) return value;
   const auto x = numbers_of(value);
-  return x && std::isfinite(x->front()) ? Json(write_hex_float(in_single(x->front()))) : value;
+  return x && std::isfinite(x->front()) ? Json(to_hex<double>(in_single(x->front()))) : value;
 }
 
 Json rounded(const Vec& x) {
   Json list = Json::array();
-  for (const double each : x) list.push_back(write_hex_float(in_single(each)));
+  for (const double each : x) list.push_back(to_hex<double>(in_single(each)));
   return list;
 }
 

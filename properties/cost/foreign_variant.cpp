@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "properties/implementations/program.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/vectors/known_answer.hpp"
 
@@ -29,48 +32,26 @@ std::optional<TimingVerdict> verdict_named(const std::string& word) {
   return std::nullopt;
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  const char lower = static_cast<char>(c | 0x20);
-  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 [[noreturn]] void refuse(const Json& number) {
   throw ProgramError("t is " + json_text(number) +
                      "; allowed is a finite number: JSON's, or a hexadecimal float in a string");
 }
 
-/// "0x1.8p+1": parts of thirteen digits, the first in [0, 1).
-cost::ExactNumber hexadecimal(const Json& number, const std::string& text) {
-  constexpr std::size_t kDigits = 13;  // 52 bits: exact in a double
+/// Parts of thirteen digits, the first in (−1, 1).
+cost::ExactNumber exact_number_of(const Json& number, const HexSpelling& spelling) {
+  constexpr std::size_t kDigits = 13;           // 52 bits: exact in a double
+  constexpr std::int64_t kMostPower = 1 << 24;  // far beyond every format
+  if (std::abs(spelling.exponent) > kMostPower) refuse(number);
   cost::ExactNumber result;
-  std::size_t count = 0, before_point = 0, at = 2;
-  bool point = false;
-  for (; at < text.size(); ++at) {
-    if (text[at] == '.' && !point) {
-      point = true;
-      continue;
+  std::size_t count = 0;
+  for (const std::string_view digits : {spelling.whole, spelling.fraction}) {
+    for (const char c : digits) {
+      if (count / kDigits == result.parts.size()) break;
+      const double part = std::ldexp(hex_digit(c), -4 * static_cast<int>(++count));
+      result.parts[(count - 1) / kDigits] += spelling.negative ? -part : part;
     }
-    const int digit = hex_digit(text[at]);
-    if (digit < 0) break;
-    if (!point) ++before_point;
-    if (count / kDigits < result.parts.size()) {
-      result.parts[count / kDigits] += std::ldexp(digit, -4 * static_cast<int>(count + 1));
-    }
-    ++count;
   }
-  if (count == 0) refuse(number);
-  constexpr long kMostPower = 1L << 24;  // far beyond every format
-  const char* const rest = text.c_str() + at;
-  long power = 0;
-  if (*rest == 'p' || *rest == 'P') {
-    char* end = nullptr;
-    power = std::strtol(rest + 1, &end, 10);
-    if (end == rest + 1 || *end != '\0' || std::labs(power) > kMostPower) refuse(number);
-  } else if (*rest != '\0') {
-    refuse(number);
-  }
-  result.exponent = static_cast<int>(power) + 4 * static_cast<int>(before_point);
+  result.exponent = static_cast<int>(spelling.exponent) + 4 * static_cast<int>(spelling.whole.size());
   return result;
 }
 
@@ -78,9 +59,10 @@ cost::ExactNumber hexadecimal(const Json& number, const std::string& text) {
 
 cost::ExactNumber exact_number_of(const Json& number) {
   if (number.is_string()) {
-    const std::string text = number.get<std::string>();
-    if (!text.starts_with("0x") && !text.starts_with("0X")) refuse(number);
-    return hexadecimal(number, text);
+    const std::string& text = number.get_ref<const std::string&>();
+    const std::optional<HexSpelling> spelling = hex_spelling(text);
+    if (!spelling) refuse(number);
+    return exact_number_of(number, *spelling);
   }
   if (!number.is_number()) refuse(number);
   cost::ExactNumber result;

@@ -18,7 +18,7 @@ inline constexpr const char* kForeignName = "command";
 cost::Variant foreign_variant(const std::vector<std::string>& words);
 
 /// A number of a reply, a hexadecimal float of any length or a JSON number, without rounding up to 416 bits.
-/// REQUIRES above 0. Throws ProgramError.
+/// Throws ProgramError.
 cost::ExactNumber exact_number_of(const Json& number);
 
 /// A reply to block_time or tether_time. A refusal is no event. Throws ProgramError where it is no reply.

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/no_answer.hpp"
 
 namespace tps::properties {
 namespace {
@@ -47,8 +47,8 @@ Answer ask_equation(const Question& question, std::string_view scalar) {
     }
     if (out.value("t", "") == "inf") return {Answer::Status::refused, {}, "beyond the range of the scalar"};
     return {Answer::Status::answered, std::move(out)};
-  } catch (const InputError& error) {
-    return {Answer::Status::refused, {}, error.what()};
+  } catch (const eval::NoAnswer& why) {
+    return {Answer::Status::refused, {}, why.what()};
   }
 }
 

@@ -16,7 +16,7 @@
 #include "properties/case.hpp"
 #include "properties/implementations/library_table.hpp"
 #include "reference/equations/timing_verdict.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/plain_json.hpp"
 
 namespace tps::properties {
@@ -90,7 +90,7 @@ class Request {
     return pair_;
   }
 
-  static Json hex(double x) { return std::isnan(x) ? Json("nan") : Json(write_hex_float(x)); }
+  static Json hex(double x) { return std::isnan(x) ? Json("nan") : Json(to_hex<double>(x)); }
   Json vector(const Vec3& x) const {
     Json list = Json::array();
     for (int k = 0; k < dimension_; ++k) list.push_back(hex(x[static_cast<std::size_t>(k)]));

@@ -4,17 +4,15 @@
 
 #include "reference/run/grouped_bodies_in.hpp"
 #include "reference/run/run_in.hpp"
-#include "reference/run/run_scalar.hpp"
 
 namespace tps {
 
-RunSummary run_double(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
+template <>
+RunSummary run_in<double>(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
   if (scene.dimension != 2) throw std::invalid_argument("a mutant runs scenes in the plane");
   return RecordedRun<double, 2>(scene, options, resume).run();
 }
 
-GroupedVelocities group_double(const GroupedBodies& question) {
-  return group_in<double>(question);
-}
+template GroupedVelocities group_in<double>(const GroupedBodies&);
 
 }  // namespace tps

@@ -7,6 +7,7 @@
 
 #include "properties/runs/trace_check_instead.hpp"
 #include "reference/scene/read_scene.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 
 namespace tps::properties::runs {
@@ -49,7 +50,7 @@ class MinimalSimulator final : public Simulator {
     for (const auto& [id, state] : post.items()) minimal["post"][id] = {{"velocity", state["velocity"]}};
     if (faulty_ && full.contains("dp")) {
       Json& v = minimal["post"][std::to_string(full["i"].get<int>())]["velocity"][0];
-      v = write_hex_float(parse_hex_float(v.get<std::string>()).value + 0.25);
+      v = to_hex<double>(parse_hex_float(v.get<std::string>()).value + 0.25);
       ++faults;
     }
     return minimal;

@@ -215,7 +215,7 @@ std::vector<RunLaw> symmetry_laws() {
       {14, "Units",
        "Lengths, times and masses times powers of two (impulses and thresholds with them) scale a run bit "
        "for "
-       "bit.",
+       "bit, but for a 0 that directed rounding makes the smallest number.",
        "docs/engine.md", of({}), scales, false, true},
       {15, "Reflection",
        "Reversed axes, and in the plane exchanged ones, turn a run bit for bit. In space an exchange "

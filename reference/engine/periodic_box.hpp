@@ -39,7 +39,7 @@ class PeriodicBox {
       const double edge = scene.box->edges[static_cast<std::size_t>(k)];
       const bool open = !(edge < std::numeric_limits<double>::infinity());
       edges_[k] = open ? Scalar(0) : Scalar(edge);
-      // A 64th is for the rounding of places, which are_known() bounds.
+      // A 64th is for the rounding of places, which knows() bounds.
       const double room = open ? edge : (edge / 2 - L) * (63. / 64);
       room_[k] = Scalar(room);
       per_edge_[k] = open ? Scalar(0) : Scalar(1) / edges_[k];

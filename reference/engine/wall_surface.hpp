@@ -15,7 +15,8 @@
 
 namespace tps {
 
-/// In the engine's scalar. Its place at t is p + V t, two roundings a coordinate as of a particle in flight.
+/// In the engine's scalar. Its place at t is p + V t, three roundings a coordinate as of a particle in
+/// flight.
 template <typename Scalar, int D>
 class WallSurface {
  public:

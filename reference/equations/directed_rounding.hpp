@@ -152,7 +152,8 @@ Scalar next_velocity(const Scalar& x, Rounding outwards) {
 /// keeps its velocity; (4) at most one component changes, and those that tie with it, of both bodies only
 /// where they are equally heavy and opposite in it, by at most √D |v_n| of before, and one rounding; (5)
 /// applied twice it is as applied once; (6) lengths times 2^k change nothing, velocities times 2^k multiply
-/// by 2^k, bitwise. Not finite numbers are handed back as they are.
+/// by 2^k, bitwise, but where a 0 becomes the smallest number. Not finite numbers are handed back as they
+/// are.
 template <typename Scalar, int D>
 PairVelocities<Scalar, D> directed(const Vector<Scalar, D>& u_A, const Vector<Scalar, D>& u_B,
                                    const std::type_identity_t<Scalar>& m_A,

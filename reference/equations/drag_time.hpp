@@ -11,12 +11,12 @@ namespace tps {
 /// t = −ln(1 − γs)/γ, the inverse of s = (1 − e^{−γt})/γ: under dv/dt = −γv a free particle is at u + v s.
 ///
 /// @param gamma  γ > 0, in 1/time; @param s ≥ 0, in time
-/// @return t ≥ s in units of time; absent for γs ≥ 1, which is never reached: a particle comes to rest at s =
-/// 1/γ.
-/// Laws: (1) s = 0 gives 0; (2) t is above s and rises with it; (3) γ divided and s multiplied by 2^k
-/// multiply t by 2^k, bitwise; (4) the clock of t is s, 1 − e^{−γt} = γs.
-/// Accuracy: γs is rounded once, which is magnified by z/((1 − z)(−ln(1 − z))), z = γs: 1 for small z,
-/// without bound towards 1. The engine's drag_time() (reference/engine/drag_clock.hpp) takes γs exactly.
+/// @return t in units of time, s or more to rounding; absent where γs, rounded, is 1 or more: a particle
+/// comes to rest at s = 1/γ, which is never reached.
+/// Laws: (1) s = 0 gives 0; (2) t is not below s, and rises with it, to rounding; (3) γ divided and s
+/// multiplied by 2^k multiply t by 2^k, bitwise; (4) the clock of t is s, 1 − e^{−γt} = γs. Accuracy: γs is
+/// rounded once, which is magnified by z/((1 − z)(−ln(1 − z))), z = γs: 1 for small z, without bound
+/// towards 1. The engine's drag_time() (reference/engine/drag_clock.hpp) takes γs exactly.
 template <typename Scalar>
 std::optional<Scalar> drag_time(const Scalar& gamma, const std::type_identity_t<Scalar>& s) {
   using std::log1p;

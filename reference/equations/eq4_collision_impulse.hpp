@@ -21,7 +21,7 @@ Vector<Scalar, D> collision_impulse(const CollisionFrame<Scalar, D>& frame,
 ///
 /// Used with c = c_rebound when two approaching particles block each other, and with c = c_retract when
 /// two separating tethered particles are pulled back; the sign of v_n makes the difference.
-/// @param c coefficient of restitution in [0, 1]. REQUIRES u_A ≠ u_B, not both masses infinite.
+/// @param c coefficient of restitution in [0, 1]. REQUIRES u_A ≠ u_B, not both masses infinite, 1/m finite.
 /// @return Δp, a momentum along û.
 /// Laws: (1) afterwards v_n' = −c v_n and v_ŵ' = v_ŵ; (2) momentum is conserved; (3) the kinetic energy
 /// falls by ½ μ (1 − c²) v_n²; (4) angular momentum is conserved (Δp is along û); (5) lengths times 2^k

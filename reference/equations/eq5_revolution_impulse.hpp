@@ -68,7 +68,7 @@ Vector<Scalar, D> revolution_impulse(const CollisionFrame<Scalar, D>& frame,
 ///
 /// @param c_revolve ratio of relative speeds over one whole revolution, in [0, 1].
 /// @param theta_revolve_deg θ_revolve in degrees, in [1e−6, 90 − 1e−6].
-/// REQUIRES u_A ≠ u_B, v_ŵ ≠ 0, not both masses infinite.
+/// REQUIRES u_A ≠ u_B, v_ŵ ≠ 0, not both masses infinite, 1/m finite.
 /// Laws: (1) afterwards the pair closes at the angle θ from perpendicular: v_n' = −tan θ |v_ŵ'|; (2) the
 /// relative speed changes by the factor c_revolve^(θ/π); (3) momentum is conserved; (4) the kinetic energy
 /// falls by ½ μ (1 − c_revolve^(2θ/π)) |v_AB|²; (5) lengths times 2^k change nothing, velocities or masses

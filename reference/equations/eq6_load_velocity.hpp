@@ -14,7 +14,7 @@ namespace tps {
 /// @param m_A,m_B masses in (0, ∞]. REQUIRES not both infinite.
 /// Laws: (1) (m_A + m_B) v_load = m_A v_A + m_B v_B; (2) each component of v_load is
 /// between those of v_A and v_B, to rounding; (3) A and B may be exchanged; (4) with an infinite mass v_load
-/// is its velocity. (3) and (4) bitwise.
+/// is its velocity. (3) and (4) bitwise, but for the sign of a zero.
 template <typename Scalar, int D>
 Vector<Scalar, D> load_velocity(const std::type_identity_t<Scalar>& m_A,
                                 const std::type_identity_t<Scalar>& m_B, const Vector<Scalar, D>& v_A,

@@ -68,7 +68,7 @@ struct RoughImpulse {
 /// Laws: (1) sticking, g_t' = −β₀ g_t; sliding, J_t = μ |J_n| and g_t' = −β g_t with −1 ≤ β < β₀; (2)
 /// momentum, and with spin_change() angular momentum, orbital and spin, are conserved where |u_B − u_A| = R_A
 /// + R_B; (3) the energy of motion and spin falls by ½ m ((1 − c²) v_n² + κ (1 − β²) g_t²) with eq. (4); (4)
-/// μ = 0 and β₀ = −1 give nothing; (5) a mirror along û changes no size.
+/// μ = 0 gives nothing, nor does β₀ = −1; (5) a mirror along û changes no size.
 template <typename Scalar, int D>
 RoughImpulse<Scalar, D> rough_impulse(const CollisionFrame<Scalar, D>& frame,
                                       const std::type_identity_t<Scalar>& m_A,

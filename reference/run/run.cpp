@@ -9,6 +9,7 @@
 #include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"
 #include "reference/run/trace_file.hpp"
+#include "reference/scalars.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/output.hpp"
 #include "reference/version.hpp"
@@ -16,8 +17,12 @@
 namespace tps {
 
 const std::vector<std::string>& scalar_names() {
-  static const std::vector<std::string> names = {"float", "double", "long-double", "quad", "mp50", "mp100"};
+  static const std::vector<std::string> names(AllScalars::names.begin(), AllScalars::names.end());
   return names;
+}
+
+int significant_bits(ScalarKind scalar) {
+  return AllScalars::bits.at(static_cast<std::size_t>(scalar));
 }
 
 std::optional<ScalarKind> scalar_kind(std::string_view name) {
@@ -72,21 +77,9 @@ void require_same_run(const std::string& checkpoint, const TraceHead& head, cons
 }
 
 RunSummary run_any(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
-  switch (options.scalar) {
-    case ScalarKind::float_:
-      return run_float(scene, options, resume);
-    case ScalarKind::double_:
-      return run_double(scene, options, resume);
-    case ScalarKind::long_double:
-      return run_long_double(scene, options, resume);
-    case ScalarKind::quad:
-      return run_quad(scene, options, resume);
-    case ScalarKind::mp50:
-      return run_mp50(scene, options, resume);
-    case ScalarKind::mp100:
-      return run_mp100(scene, options, resume);
-  }
-  throw std::logic_error("unknown scalar kind");
+  return AllScalars::ask_of<RunSummary>(static_cast<std::size_t>(options.scalar), [&]<typename Scalar>() {
+    return run_in<Scalar>(scene, options, resume);
+  });
 }
 
 }  // namespace

@@ -21,10 +21,7 @@ namespace tps {
 enum class ScalarKind { float_, double_, long_double, quad, mp50, mp100 };
 
 /// Of its significand: 24, 53, 64, 113, 168, 334.
-constexpr int significant_bits(ScalarKind scalar) {
-  constexpr int kBits[] = {24, 53, 64, 113, 168, 334};
-  return kBits[static_cast<int>(scalar)];
-}
+int significant_bits(ScalarKind scalar);
 
 /// "float", "double", "long-double", "quad", "mp50", "mp100", in this order.
 const std::vector<std::string>& scalar_names();
@@ -55,7 +52,7 @@ struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  ///< ends the run, in good order, once it is true
 
   struct Progress {
-    double t, duration;  ///< since the start
+    double t, duration;  ///< since the start, to about a double's precision
     std::uint64_t events;
   };
   std::function<void(const Progress&)> progress;  ///< called about ten times a second

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -113,9 +114,15 @@ class RecordedRun {
       events_.hand_over();
       files_.send();
       if (options_.progress) {
-        options_.progress({static_cast<double>(world().now.hi), duration_, world().events});
+        options_.progress({time_about(world().now), duration_, world().events});
       }
     }
+  }
+
+  /// The time t of a clock, with drag not the clock itself: near enough to be looked at.
+  double time_about(const Time<Scalar>& now) const {
+    const auto s = static_cast<double>(now.hi);
+    return scene_.drag ? -std::log1p(-scene_.drag->gamma * s) / scene_.drag->gamma : s;
   }
 
   /// One step, whose lines are written once it is done. @return false where a number left the range: then

@@ -16,6 +16,7 @@
 #include "reference/scalars.hpp"
 #include "reference/scene/surfaces.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/json_pointer.hpp"
 #include "reference/text/number_text.hpp"
 
 namespace tps {
@@ -102,12 +103,12 @@ class SceneInScalar {
     const Scalar least = (Limits::min)();
     if (is_finite(mass) && mass >= least && is_finite(Scalar(Scalar(1) / mass)) && Scalar(1) / mass >= least)
       return;
-    add("/species/" + species.name + "/mass",
+    add("/species/" + escape_pointer_key(species.name) + "/mass",
         "is " + told(species.mass) + "; the mass or its inverse is not a normal number" + remedy());
   }
 
   void judge_kicks(const Species& species) {
-    const std::string at = "/species/" + species.name;
+    const std::string at = "/species/" + escape_pointer_key(species.name);
     if (const auto& kicks = species.random_impulses) {
       judge(at + "/random_impulses/tau", kicks->tau);
       judge(at + "/random_impulses/mean", kicks->mean);

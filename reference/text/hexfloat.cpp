@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <charconv>
+#include <cstdlib>
 #include <iterator>
 
 namespace tps {
@@ -10,16 +10,9 @@ namespace {
 
 using boost::multiprecision::cpp_int;
 
-int digit_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 cpp_int integer(const HexDigits& hex) {
   std::vector<unsigned char> nibbles;
-  for (const char c : hex.digits) nibbles.push_back(static_cast<unsigned char>(digit_value(c)));
+  for (const char c : hex.digits) nibbles.push_back(static_cast<unsigned char>(hex_digit(c)));
   cpp_int magnitude;
   boost::multiprecision::import_bits(magnitude, nibbles.begin(), nibbles.end(), 4);
   return hex.negative ? cpp_int(-magnitude) : magnitude;
@@ -40,40 +33,50 @@ void trim(HexDigits& hex) {
 
 }  // namespace
 
-std::optional<HexDigits> split_hex(std::string_view text) {
-  HexDigits hex;
-  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
-    hex.negative = text.front() == '-';
-    text.remove_prefix(1);
-  }
-  if (text.size() < 3 || text[0] != '0' || (text[1] != 'x' && text[1] != 'X')) return std::nullopt;
+std::optional<HexSpelling> hex_spelling(std::string_view text) {
+  const auto take_sign = [&] {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) text.remove_prefix(1);
+    return negative;
+  };
+  const auto take_digits = [&](auto is_digit) {
+    const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+    const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(digits.size());
+    return digits;
+  };
+  const auto is_hexadecimal = [](char c) { return hex_digit(c) >= 0; };
+
+  HexSpelling spelling;
+  spelling.negative = take_sign();
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
   text.remove_prefix(2);
-  bool point = false;
-  std::size_t used = 0;
-  for (; used < text.size(); ++used) {
-    const char c = text[used];
-    if (c == '.' && !point) {
-      point = true;
-      continue;
-    }
-    const int value = digit_value(c);
-    if (value < 0) break;
-    hex.digits.push_back("0123456789abcdef"[value]);
-    if (point) hex.exponent -= 4;
-  }
-  if (hex.digits.empty()) return std::nullopt;
-  text.remove_prefix(used);
-  if (!text.empty()) {
-    if (text.front() != 'p' && text.front() != 'P') return std::nullopt;
+  spelling.whole = take_digits(is_hexadecimal);
+  if (text.starts_with('.')) {
     text.remove_prefix(1);
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    long exponent = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    constexpr long kLimit = 1L << 20;  // sums are exact: the digits between two exponents are written out
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (exponent > kLimit || exponent < -kLimit) return std::nullopt;
-    hex.exponent += exponent;
+    spelling.fraction = take_digits(is_hexadecimal);
   }
+  if (spelling.whole.empty() && spelling.fraction.empty()) return std::nullopt;
+  if (!text.starts_with('p') && !text.starts_with('P')) return std::nullopt;
+  text.remove_prefix(1);
+  const bool below_one = take_sign();
+  const std::string_view power = take_digits([](char c) { return c >= '0' && c <= '9'; });
+  if (power.empty() || !text.empty()) return std::nullopt;
+  constexpr std::int64_t bound = std::int64_t{1} << 60;
+  std::int64_t exponent = 0;
+  for (const char c : power) exponent = exponent < bound / 16 ? 10 * exponent + (c - '0') : bound;
+  spelling.exponent = below_one ? -exponent : exponent;
+  return spelling;
+}
+
+std::optional<HexDigits> split_hex(std::string_view text) {
+  const std::optional<HexSpelling> spelling = hex_spelling(text);
+  constexpr long kLimit = 1L << 20;  // sums are exact: the digits between two exponents are written out
+  if (!spelling || std::abs(spelling->exponent) > kLimit) return std::nullopt;
+  HexDigits hex{spelling->negative, std::string(spelling->whole),
+                spelling->exponent - 4 * static_cast<long>(spelling->fraction.size())};
+  hex.digits.append(spelling->fraction);
+  for (char& digit : hex.digits) digit = "0123456789abcdef"[hex_digit(digit)];
   trim(hex);
   return hex;
 }
@@ -83,13 +86,13 @@ std::string join_hex(const HexDigits& hex) {
   if (hex.negative) text.push_back('-');
   if (hex.digits.empty()) return text.append("0x0p+0");
   // Shift so that the leading digit is 1: its lower bits move into the digits behind it.
-  const int lead = digit_value(hex.digits.front());
+  const int lead = hex_digit(hex.digits.front());
   const int extra = lead >= 8 ? 3 : lead >= 4 ? 2 : lead >= 2 ? 1 : 0;
   const long exponent = hex.exponent + 4 * static_cast<long>(hex.digits.size() - 1) + extra;
   std::string fraction;
   int carry = lead & ((1 << extra) - 1);
   for (std::size_t k = 1; k < hex.digits.size(); ++k) {
-    const int value = (carry << 4) | digit_value(hex.digits[k]);
+    const int value = (carry << 4) | hex_digit(hex.digits[k]);
     fraction.push_back("0123456789abcdef"[value >> extra]);
     carry = value & ((1 << extra) - 1);
   }
@@ -127,9 +130,9 @@ HexDigits exact_sum(std::span<const HexDigits> terms) {
 int significant_bits(const HexDigits& hex) {
   if (hex.digits.empty()) return 0;
   const auto width = [](int v) { return v >= 8 ? 4 : v >= 4 ? 3 : v >= 2 ? 2 : 1; };
-  const int last = digit_value(hex.digits.back());
+  const int last = hex_digit(hex.digits.back());
   const int trailing = (last & 1) != 0 ? 0 : (last & 2) != 0 ? 1 : (last & 4) != 0 ? 2 : 3;
-  return 4 * static_cast<int>(hex.digits.size() - 1) + width(digit_value(hex.digits.front())) - trailing;
+  return 4 * static_cast<int>(hex.digits.size() - 1) + width(hex_digit(hex.digits.front())) - trailing;
 }
 
 }  // namespace tps

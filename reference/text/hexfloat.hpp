@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -11,6 +12,25 @@
 
 namespace tps {
 
+/// The parts of [sign] 0x hexdigits [. hexdigits] p [sign] digits: the one spelling of a hexadecimal float
+/// that anything reads. At least one hexadecimal digit stands before or behind the point.
+struct HexSpelling {
+  bool negative = false;
+  std::string_view whole, fraction;  ///< hexadecimal digits before and behind the point, lower or upper case
+  std::int64_t exponent = 0;         ///< behind the p; beyond ±2^60 it is that
+};
+
+/// The parts of the whole of `text`; nothing where it is spelt in any other way, "inf" included.
+std::optional<HexSpelling> hex_spelling(std::string_view text);
+
+/// The value of a hexadecimal digit of either case, −1 for any other character.
+constexpr int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
 /// A finite binary number without a width: sign · 0x digits · 2^exponent.
 struct HexDigits {
   bool negative = false;
@@ -18,8 +38,8 @@ struct HexDigits {
   long exponent = 0;   ///< of the last digit: value = (digits as an integer) · 2^exponent
 };
 
-/// Splits "[-]0xH.HHHp±D" into its digits; nothing for any other text, nor for exponents beyond ±2^20: no run
-/// comes near them, and an exact sum of such numbers would have a million digits.
+/// The digits of a hexadecimal float (hex_spelling); nothing for any other text, nor for exponents beyond
+/// ±2^20: no run comes near them, and an exact sum of such numbers would have a million digits.
 std::optional<HexDigits> split_hex(std::string_view text);
 
 /// The normalised spelling: leading digit 1, no trailing zeros, "0x0p+0" for zero.

@@ -1,4 +1,4 @@
-// Doubles as text, exactly: hexadecimal floats and shortest decimals.
+// Doubles from and as text, exactly: hexadecimal floats and shortest decimals.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace tps {
 struct HexFloat {
   enum class Verdict {
     exact,         ///< `value` is the number that was written
-    malformed,     ///< not of the form [sign] 0x hexdigits [. hexdigits] p [sign] digits
+    malformed,     ///< not spelt as hex_spelling (hexfloat.hpp) has it
     not_a_double,  ///< well formed, but no double has this value
   };
   Verdict verdict = Verdict::malformed;
@@ -18,11 +18,8 @@ struct HexFloat {
 };
 
 /// Reads the whole of `text`. Unlike strtod it never rounds: a number that no double has is reported.
-/// (1) parse_hex_float(write_hex_float(x)) is x, bit for bit, for every finite x.
+/// (1) parse_hex_float(to_hex(x)) is x, bit for bit, for every finite x.
 HexFloat parse_hex_float(std::string_view text);
-
-/// "0x1.8p+1"; "inf", "-inf". REQUIRES not NaN.
-std::string write_hex_float(double value);
 
 /// The shortest decimal that reads back as the same double, as a JSON number ("0.1", "-0.0", "1e+22").
 /// REQUIRES finite.

@@ -14,19 +14,24 @@ namespace {
 
 }  // namespace
 
-RunSummary run_float(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<float>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("float, where it is a run");
 }
-RunSummary run_long_double(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<long double>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("long-double");
 }
-RunSummary run_quad(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Quad>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("quad");
 }
-RunSummary run_mp50(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Mp50>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("mp50, where it is a run");
 }
-RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Mp100>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("mp100");
 }
 

@@ -13,9 +13,9 @@
 #include "reference/run/run.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
-#include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/certified/timing_input.hpp"
@@ -116,7 +116,7 @@ Json certified_answer(const JsonValue& request) {
   const exact::TimingAnswer answered =
       exact::rounded_time(timing(in, op == "block_time" ? "block" : "tether", "/in"), counters);
   return {{"verdict", name(answered.verdict)},
-          {"t", answered.t ? Json(write_hex_float(*answered.t)) : Json()}};
+          {"t", answered.t ? Json(to_hex<double>(*answered.t)) : Json()}};
 }
 
 /// The question of a request in hexadecimal floats, as files of known answers have it.
@@ -163,7 +163,7 @@ Json flown(const JsonValue& request) {
   Json places;
   for (const auto& [place, u, v] : {std::array{"A", "u_A", "v_A"}, std::array{"B", "u_B", "v_B"}}) {
     for (std::size_t k = 0; k < input.values.at(u).size(); ++k)
-      places[place].push_back(write_hex_float(input.values.at(u)[k] + input.values.at(v)[k] * t));
+      places[place].push_back(to_hex<double>(input.values.at(u)[k] + input.values.at(v)[k] * t));
   }
   return places;
 }

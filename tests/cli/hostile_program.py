@@ -47,10 +47,11 @@ def crash(_=None):
     os.kill(os.getpid(), signal.SIGSEGV)
 
 
-def flood(block, target=1):
+def flood(block, target=1, pause=0):
     def act(_):
         while True:
             os.write(target, block)
+            time.sleep(pause)
     return act
 
 
@@ -156,7 +157,7 @@ MODES = {
     "nan": lambda: each(lambda line: send(b'{"seq":%d,"out":{"dp":["nan","nan"]}}\n' % seq(line))),
     "flood": lambda: each(flood(b"x" * 65536)),
     "flood_lines": lambda: each(flood(b'{"seq":1,"out":{}}\n' * 5000)),
-    "flood_stderr": lambda: each(flood(b"E" * 65536, 2)),
+    "flood_stderr": lambda: each(flood(b"E" * 65536, 2, 0.002)),
     # right, in a way
     "noisy": lambda: each(noisy),
     "crlf": lambda: each(lambda line: send(right(line)[:-1] + b"\r\n")),

@@ -12,11 +12,12 @@ _numbers = itertools.count()
 
 
 def wait_until(condition, what, limit=GENEROUS):
-    end = time.monotonic() + limit
+    end, pause = time.monotonic() + limit, 0.002
     while not condition():
         if time.monotonic() > end:
             raise AssertionError(f"{limit:.0f} s passed, and still not: {what}")
-        time.sleep(0.002)
+        time.sleep(pause)
+        pause = min(1.5 * pause, 0.05)  # asking is processor time
 
 
 def adopt_orphans():

@@ -18,7 +18,9 @@ double value_of(const cost::ExactNumber& number) {
 
 TEST(ForeignNumbers, AreHexadecimalFloatsOrJsonNumbers) {
   EXPECT_EQ(value_of(exact_number_of("0x1.8p+1")), 3);
-  EXPECT_EQ(value_of(exact_number_of("0x.8")), 0.5);
+  EXPECT_EQ(value_of(exact_number_of("0x.8p0")), 0.5);
+  EXPECT_EQ(value_of(exact_number_of("-0x1.8p-3")), -0.1875) << "wrong, and a number";
+  EXPECT_EQ(value_of(exact_number_of(-0.5)), -0.5);
   EXPECT_EQ(value_of(exact_number_of("0xAp-1")), 5);
   EXPECT_EQ(value_of(exact_number_of("0x1p-1074")), 0x1p-1074);
   EXPECT_EQ(value_of(exact_number_of(0.1)), 0.1);
@@ -34,8 +36,8 @@ TEST(ForeignNumbers, KeepDigitsBeyondADouble) {
 }
 
 TEST(ForeignNumbers, AreNothingElse) {
-  for (const Json& bad : {Json("1.5"), Json("0x"), Json("0x1p"), Json("0x1p99999999999"), Json("-0x1p+0"),
-                          Json("0x1.8q2"), Json("0x1p+1z"), Json(nullptr), Json(true)}) {
+  for (const Json& bad : {Json("1.5"), Json("0x"), Json("0x1p"), Json("0x1p99999999999"), Json("0x3"),
+                          Json("--0x1p+0"), Json("0x1.8q2"), Json("0x1p+1z"), Json(nullptr), Json(true)}) {
     EXPECT_THROW(exact_number_of(bad), ProgramError) << bad;
   }
 }

@@ -1,7 +1,8 @@
 """Whatever the pages and the comments of the sources point to is there.
 
 In the Markdown files: relative links with their anchors, and paths in backquotes such as `tests/engine/escape_test.cpp`. In
-sources, schemas and scripts: pages named as docs/NAME.md, and sections of docs/semantics.md cited as "semantics §N".
+sources, schemas and scripts: pages named as docs/NAME.md, their sections cited as docs/NAME.md, "Title", and those of
+docs/semantics.md cited as "semantics §N".
 docs/map.md has a row for each folder of code.
 """
 
@@ -17,6 +18,8 @@ SOURCES = (".hpp", ".cpp", ".h", ".c", ".in", ".py", ".txt", ".json", ".md")
 LINK = re.compile(r"(?<!`)\[[^\]]*\]\(([^)\s]+)\)")
 BLOCK = re.compile(r"^```.*?^```$", re.M | re.S)
 QUOTED_PATH = re.compile(rf"`((?:{'|'.join(FOLDERS)})/[\w./-]*\w(?:\.\w+|/))`")
+CITED_SECTION = re.compile(r'\b(docs/[\w-]+\.md), "([^"]+)"')
+CONTINUED = re.compile(r"\n\s*(?://+|#) ?")  # a comment that goes on in the next line
 WRITTEN_LATER = {"data/regressions/found.jsonl"}
 PLACEHOLDER = re.compile(r"eqN|/name[._]")
 
@@ -32,6 +35,12 @@ def anchors(text):
         name = re.sub(r"[^\w\- ]", "", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()).replace(" ", "-")
         count = seen[name] = seen.get(name, -1) + 1
         yield f"{name}-{count}" if count else name
+
+
+def titles(text):
+    """Headings, and what paragraphs begin with in bold."""
+    text = BLOCK.sub("", text)
+    return {title.strip(" .`") for title in re.findall(r"^#+ +(.*?) *$", text, re.M) + re.findall(r"\*\*(.+?)\*\*", text)}
 
 
 def broken_links(root, page):
@@ -52,9 +61,12 @@ def broken_links(root, page):
 
 def broken_citations(root, source, sections):
     name, text = source.relative_to(root).as_posix(), text_of(source)
-    for path in sorted(set(re.findall(r"\bdocs/\w+\.md\b", text))):
+    for path in sorted(set(re.findall(r"\bdocs/[\w-]+\.md\b", text))):
         if not PLACEHOLDER.search(path) and not (root / path).is_file():
             yield f"{name} names {path}, which does not exist"
+    for path, title in sorted(set(CITED_SECTION.findall(CONTINUED.sub(" ", text)))):
+        if (root / path).is_file() and not any(it == title or it.startswith(f"{title}:") for it in titles(text_of(root / path))):
+            yield f'{name} cites {path}, "{title}": the page has no such heading, nor a paragraph that begins with it in bold'
     for number in sorted(set(re.findall(r"semantics §(\d+)", text)) - sections):
         yield f"{name} cites semantics §{number}; docs/semantics.md has the sections {', '.join(sorted(sections))}"
 

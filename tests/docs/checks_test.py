@@ -39,6 +39,8 @@ FAULTS = [
      "docs/map.md has no row for reference/engine/"),
     (check_links.broken, "reference/equations/vector.hpp", "docs/eq1.md", "docs/vector.md",
      "reference/equations/vector.hpp names docs/vector.md, which does not exist"),
+    (check_links.broken, "reference/engine/energy_share.hpp", '"Effect by effect"', '"Effect for effect"',
+     'reference/engine/energy_share.hpp cites docs/ledger.md, "Effect for effect"'),
 ]
 
 

@@ -135,8 +135,10 @@ void feed_regressions(std::string_view bytes) {
 void feed_hexfloat(std::string_view bytes) {
   const HexFloat strict = parse_hex_float(bytes);
   const std::optional<double> wide = from_hex<double>(bytes);
-  if (strict.verdict == HexFloat::Verdict::exact && wide)
-    promise(strict.value == *wide, "both readers of hexadecimal floats agree");
+  promise((strict.verdict == HexFloat::Verdict::malformed) == !hex_spelling(bytes), "there is one grammar");
+  if (wide && std::isfinite(*wide))
+    promise(strict.verdict == HexFloat::Verdict::exact && strict.value == *wide,
+            "both readers of hexadecimal floats agree");
   if (wide && std::isfinite(*wide))
     promise(from_hex<double>(to_hex(*wide)) == wide, "what is written is read");
   if (const std::optional<HexDigits> digits = split_hex(bytes))

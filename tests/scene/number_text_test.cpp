@@ -1,4 +1,5 @@
 #include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,10 +63,9 @@ void for_many_doubles(Check check) {
 
 TEST(NumberText, HexFloatReadsBackBitForBit) {
   for_many_doubles([](double value) {
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(read(write_hex_float(value))),
-              std::bit_cast<std::uint64_t>(value));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read(to_hex<double>(value))), std::bit_cast<std::uint64_t>(value));
     // A reader that shares no code with ours.
-    EXPECT_EQ(std::strtod(write_hex_float(value).c_str(), nullptr), value);
+    EXPECT_EQ(std::strtod(to_hex<double>(value).c_str(), nullptr), value);
   });
 }
 
@@ -80,9 +80,9 @@ TEST(NumberText, ShortestReadsBackBitForBit) {
 }
 
 TEST(NumberText, HexFloatHasTheFormOfC) {
-  EXPECT_EQ(write_hex_float(3.0), "0x1.8p+1");
-  EXPECT_EQ(write_hex_float(-0.0), "-0x0p+0");
-  EXPECT_EQ(write_hex_float(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(to_hex<double>(3.0), "0x1.8p+1");
+  EXPECT_EQ(to_hex<double>(-0.0), "-0x0p+0");
+  EXPECT_EQ(to_hex<double>(std::numeric_limits<double>::infinity()), "inf");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Includes run one way: properties -> verify -> reference, and never in a circle between two folders.
+"""Includes run one way: properties -> verify -> reference, and never in a circle between folders.
 
 tower.py ROOT     counts the includes between folders and fails on one that runs up or round
 """
@@ -9,18 +9,25 @@ import re
 import sys
 
 STOREYS = ["reference", "verify", "properties"]  # each may include those before it
-INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:reference|verify|properties)/[^"]+)"', re.MULTILINE)
+INCLUDE = re.compile(r'^\s*#\s*include\s+["<]((?:reference|verify|properties|\.)/[^">]+|\.\./[^">]+)[">]', re.MULTILINE)
 
 
 def folder(path):
-    """"verify/exact" of "verify/exact/verdict.hpp"; the storey itself for a file that lies in it directly.
+    """"verify/exact" of "verify/exact/verdict.hpp". A file that lies in a storey directly (scalars.hpp, law.hpp) is,
+    with those of its stem, a folder of its own.
 
     A folder's verb stands above the folder: it may use all others, and nobody uses it.
     """
-    if path.endswith("_verb.cpp"):
+    if is_verb(path):
         return path.split("/")[0] + "/verbs"
     parts = pathlib.PurePosixPath(path).parts
+    if len(parts) == 2:
+        return path.split(".")[0]
     return "/".join(parts[:-1][:3 if "benchmark" in parts else 2])
+
+
+def is_verb(path):
+    return path.endswith("_verb.cpp")
 
 
 def circles(arrows):
@@ -46,6 +53,11 @@ def main():
     for source in sources:
         name = source.relative_to(root).as_posix()
         for target in INCLUDE.findall(source.read_text()):
+            if target.startswith("."):
+                wrong.append(f"{name} includes {target}: paths begin at the root of the tree")
+                continue
+            if is_verb(target):
+                wrong.append(f"{name} includes {target}: nobody uses a verb")
             if STOREYS.index(target.split("/")[0]) > STOREYS.index(name.split("/")[0]):
                 wrong.append(f"{name} includes {target}: an arrow that runs up")
             if not (root / target).exists() and "catalogue" not in target:
@@ -54,9 +66,7 @@ def main():
                 counts[folder(name), folder(target)] += 1
     arrows = collections.defaultdict(set)
     for source, target in counts:
-        # Files that lie in a storey directly (scalars.hpp, version.hpp, law.hpp) are everybody's.
-        if source not in STOREYS and target not in STOREYS:
-            arrows[source].add(target)
+        arrows[source].add(target)
     wrong += [f"{f} is in a circle of includes" for f in circles(arrows)]
     for (source, target), count in sorted(counts.items()):
         print(f"{count:5} {source} -> {target}")

@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "reference/scalars.hpp"
 #include "reference/text/append_hex.hpp"
+#include "reference/text/number_text.hpp"
+#include "reference/text/typed_number.hpp"
 
 namespace tps {
 namespace {
@@ -88,17 +94,56 @@ TEST(Hexfloat, RefusesWhatTheScalarCannotHold) {
   EXPECT_EQ(from_hex<double>("0x1p+1024"), std::nullopt);
   EXPECT_EQ(from_hex<float>("0x1.000001p+0"), std::nullopt);
   EXPECT_EQ(from_hex<float>("0x1.000002p+0"), 0x1.000002p+0F);
-  for (const char* text :
-       {"", "0x", "1.5", "0x1.8q3", "0x1p", "0x1p+", "0x1..8p0", "nan", "0x1p99999999999999999999"}) {
+  for (const char* text : {"", "0x", "1.5", "0x1.8q3", "0x1p", "0x1p+", "0x1p+-1", "0x1p--1", "0x3",
+                           "0x1..8p0", "nan", "0x1p99999999999999999999"}) {
     EXPECT_EQ(from_hex<double>(text), std::nullopt) << text;
   }
 }
 
 TEST(Hexfloat, ReadsEverySpellingOfTheSameNumber) {
   for (const char* text :
-       {"0x1.8p+1", "0x3", "0x3p0", "0X0030p-4", "0x.3p4", "0x1.80000000000000000000p+1"}) {
+       {"0x1.8p+1", "+0x3P0", "0x3p0", "0X0030p-4", "0x.3p4", "0x1.80000000000000000000p+1"}) {
     EXPECT_EQ(from_hex<double>(text), 3.0) << text;
   }
+}
+
+/// One in fifteen is a hexadecimal float; the others are nearly one.
+std::string nearly_hex(std::mt19937_64& bits) {
+  static const std::array<std::vector<std::string>, 7> parts = {
+      {{"", "", "", "", "-", "+", "--"},
+       {"0x", "0x", "0x", "0X", "x", ""},
+       {"1", "", "0", "0003", "aBc", "1fffffffffffff"},
+       {"", ".", ".", "..", ","},
+       {"", "8", "0", "fF000", "0000000000001", "g"},
+       {"p", "p", "P", "", "e"},
+       {"0", "+1", "-1", "1074", "-1074", "+", "", "+-1", "1.0", "01"}}};
+  std::string text;
+  for (const std::vector<std::string>& choice : parts) text += choice[bits() % choice.size()];
+  return text;
+}
+
+TEST(Hexfloat, EveryReaderTakesTheSameSpellings) {
+  std::mt19937_64 bits(1);
+  int taken = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const std::string text = nearly_hex(bits);
+    const std::optional<double> value = from_hex<double>(text);
+    const HexFloat strict = parse_hex_float(text);
+    const bool is_spelt = hex_spelling(text).has_value();
+    EXPECT_EQ(strict.verdict == HexFloat::Verdict::malformed, !is_spelt) << text;
+    EXPECT_EQ(split_hex(text).has_value(), is_spelt) << text;
+    EXPECT_EQ(strict.verdict == HexFloat::Verdict::exact, value.has_value()) << text;
+    if (text.find_first_of("xX") != std::string::npos) {
+      EXPECT_EQ(typed_number(text).value, value) << text;
+    }
+    if (!value) continue;
+    ++taken;
+    EXPECT_EQ(strict.value, *value) << text;
+    EXPECT_EQ(from_hex<Mp50>(text), Mp50(*value)) << text;
+    EXPECT_EQ(std::strtod(text.c_str(), nullptr), *value)
+        << text << ": a reader that shares no code with ours";
+  }
+  EXPECT_GT(taken, 1000);
 }
 
 template <typename Scalar>

@@ -103,6 +103,35 @@ TEST(Magnitudes, WhatRunsConforms) {
   EXPECT_GE(left, 100);
 }
 
+/// A ball that comes from afar and grazes another: sums of decimal radii, distances and speeds.
+Scene graze_from_afar(double one, double other, double distance, double speed) {
+  Scene scene = testing::plain_scene();
+  scene.species[0].radius = one;
+  const int grazing = testing::add_species(scene, "grazing", 1, other);
+  testing::block(scene, 0, grazing, 1);
+  add_particle(scene, 0, {0, 0, 0});
+  add_particle(scene, grazing, {-distance, std::nearbyint((one + other) * 1e3) / 1e3, 0}, {speed, 0, 0});
+  scene.duration = 3 * distance / speed;
+  return scene;
+}
+
+// While the time is late v_n grows, by as much of |v| as the way is long: which sign it then has at a graze
+// is rounding.
+TEST(Magnitudes, GrazesAfterALongFlightConform) {
+  int n = 0;
+  for (const auto& [one, other] : {std::pair(.1, .2), {.7, .1}, {.3, .6}, {.8, .1}, {1.1, 2.2}, {.15, .15}}) {
+    for (const double distance : {1e8, 3e8, 1e9, 3e9, 7e9, 2e10, 7e10, 3e11}) {
+      for (const double speed : {.3, .7, 1., 1.3}) {
+        for (const Timing timing : {Timing::stable, Timing::certified}) {
+          const Scene scene = graze_from_afar(one, other, distance, speed);
+          judged_end(scene, "double", timing, ++n);
+        }
+        judged_end(graze_from_afar(one, other, distance / 1e5, speed), "float", Timing::stable, ++n);
+      }
+    }
+  }
+}
+
 // The difference of a time and a late start was formed in too few digits.
 TEST(Magnitudes, LateStartsConform) {
   for (const char* scalar : {"float", "double", "long-double", "quad", "mp50", "mp100"}) {

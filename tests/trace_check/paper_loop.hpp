@@ -18,7 +18,7 @@
 #include "reference/equations/tether_response.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/write_scene.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 
 namespace tps::mutation {
 
@@ -44,7 +44,7 @@ class PaperLoop {
     int done = 0;
     for (; done < events && step(text); ++done) {
     }
-    return text + fmt::format(R"({{"end":"max_events","events":{},"t":"{}"}})", done, write_hex_float(t_)) +
+    return text + fmt::format(R"({{"end":"max_events","events":{},"t":"{}"}})", done, to_hex<double>(t_)) +
            "\n";
   }
 
@@ -91,10 +91,10 @@ class PaperLoop {
     const char* kind = respond(next);
     const auto velocity = [&](int n) {
       const Vec3& v = v_[static_cast<std::size_t>(n)];
-      return fmt::format(R"("{}":{{"velocity":["{}","{}","{}"]}})", n, write_hex_float(v[0]),
-                         write_hex_float(v[1]), write_hex_float(v[2]));
+      return fmt::format(R"("{}":{{"velocity":["{}","{}","{}"]}})", n, to_hex<double>(v[0]),
+                         to_hex<double>(v[1]), to_hex<double>(v[2]));
     };
-    text += fmt::format(R"({{"t":"{}","kind":"{}","i":{},"j":{},"post":{{{},{}}}}})", write_hex_float(t_),
+    text += fmt::format(R"({{"t":"{}","kind":"{}","i":{},"j":{},"post":{{{},{}}}}})", to_hex<double>(t_),
                         kind, next.i, next.j, velocity(next.i), velocity(next.j));
     text += '\n';
     return true;

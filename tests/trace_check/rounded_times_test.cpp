@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "reference/scene/read_scene.hpp"
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "tests/trace_check/broken_trace.hpp"
 #include "tests/trace_check/checked_trace.hpp"
 #include "tests/trace_check/scenes.hpp"
@@ -98,15 +98,15 @@ TEST(RoundedTimes, ATimeOfACertifiedFloatRunRoundedTheOtherWayIsSeen) {
         const float honest = static_cast<float>(number(line.at("t")));
         if (exact == honest) break;
         t = std::nextafter(honest, honest < exact ? HUGE_VALF : -HUGE_VALF);
-        line["t"] = line["dt"] = write_hex_float(t);
-        const std::string place = write_hex_float(static_cast<float>(3.0F * static_cast<float>(t)));
+        line["t"] = line["dt"] = to_hex<double>(t);
+        const std::string place = to_hex<double>(static_cast<float>(3.0F * static_cast<float>(t)));
         line["pre"]["0"]["position"][0] = line["post"]["0"]["position"][0] = place;
       }
       text += line.dump() + "\n";
     }
     if (t == 0) continue;
     const CheckReport report =
-        checked(text + Json{{"end", "max_events"}, {"events", 1}, {"t", write_hex_float(t)}}.dump() + "\n");
+        checked(text + Json{{"end", "max_events"}, {"events", 1}, {"t", to_hex<double>(t)}}.dump() + "\n");
     EXPECT_GT(report.rules[static_cast<std::size_t>(Rule::contact)].violated, 0U) << X << '\n'
                                                                                   << report_text(report);
     ++seen;

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "reference/text/input_error.hpp"
 #include "verify/certified/numbers.hpp"
+#include "verify/eval/no_answer.hpp"
 
 namespace tps::certified {
 
@@ -29,8 +29,8 @@ class WorkingPrecision {
   bool doubted_ = false;
 };
 
-/// Evaluates at more and more bits until no question is open, or at the most that is tried. A refusal in
-/// doubt is none yet.
+/// Evaluates at more and more bits until no question is open, or at the most that is tried. That there is
+/// no answer is itself open while a question is.
 template <typename Evaluation>
 auto settled(const Evaluation& evaluate) {
   constexpr long first_bits = 512, most_bits = 1L << 14;
@@ -40,7 +40,7 @@ auto settled(const Evaluation& evaluate) {
     try {
       auto result = evaluate();
       if (is_final()) return result;
-    } catch (const InputError&) {
+    } catch (const eval::NoAnswer&) {
       if (is_final()) throw;
     }
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/text/input_error.hpp"
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
+#include "verify/eval/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
@@ -111,7 +111,7 @@ class Grouping {
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError({{"", 0, fmt::format("/collisions/{}", collision_), message}});
+    throw eval::NoAnswer(message, fmt::format("/collisions/{}", collision_));
   }
 
   const GroupInput& input_;

@@ -1,9 +1,9 @@
 #include "verify/certified/certified_response.hpp"
 
-#include "reference/text/input_error.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
 #include "verify/certified/rough_response.hpp"
+#include "verify/eval/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
@@ -35,11 +35,7 @@ void add_velocities(Response& response, const Lifted& in, const RealVector& dp) 
 
 Response revolution(const Lifted& in) {
   const Collision pair = in.pair();
-  if (sign(dot(pair.w, pair.w)) == Sign::zero) {
-    throw InputError({{"", 0, "",
-                       "v_ŵ, the velocity across û, is zero, so û_revolve is 0/0 and eq. (5) has no answer; "
-                       "tether_response retracts such a pair"}});
-  }
+  if (sign(dot(pair.w, pair.w)) == Sign::zero) throw eval::NoAnswer(eval::kNothingAcross);
   const RealVector dp = revolution_impulse(pair, in.number("c_revolve"), in.number("theta_revolve_deg"));
   return {"", false, {{"dp", enclosure(dp)}}};
 }
@@ -103,7 +99,7 @@ Response evaluated(eval::Op op, const Lifted& in) {
     case eval::Op::rough_impulse:
       return rough_response(in.input());
     default:
-      throw InputError({{"", 0, "", "the operation has no impulse or velocity to certify"}});
+      throw std::invalid_argument("the operation has no impulse or velocity to certify");
   }
 }
 

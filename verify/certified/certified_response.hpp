@@ -38,8 +38,8 @@ struct Response {
 /// Evaluates apply_impulse, collision_impulse, revolution_impulse, tether_response, load,
 /// restitution_impulse or rough_impulse.
 ///
-/// REQUIRES one of these, and input as read_words() and read_json() return it. Throws InputError where eq.
-/// (5) is asked of a pair without tangential motion.
+/// REQUIRES one of these, and input as read_words() and read_json() return it. Throws eval::NoAnswer where
+/// eq. (5) is asked of a pair without tangential motion.
 Response certified_response(eval::Op op, const eval::Input& input);
 
 /// At a boundary, tether_response or rough_impulse with the other kind than `first` has; absent elsewhere,
@@ -75,7 +75,7 @@ struct GroupResponse {
 /// come in any order.
 ///
 /// REQUIRES vectors of one dimension, finite numbers in the ranges of the operations, i and j in range.
-/// Throws InputError, naming the collision, where i and j are in one body, both bodies are infinite, the
+/// Throws eval::NoAnswer, naming the collision, where i and j are in one body, both bodies are infinite, the
 /// positions coincide, or the bodies do not move towards the limit (inner: v_n > 0; outer: v_n < 0; exactly).
 GroupResponse certified_group(const GroupInput& input);
 

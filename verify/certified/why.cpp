@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "reference/text/hexfloat.hpp"
-#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/double_word_values.hpp"
@@ -52,7 +52,7 @@ Computed computed(const TimingInput& input) {
       if (q.key == "verdict") result.verdict = q.word;
       if (q.key == "t" && !q.numbers.empty()) result.t = from_hex<double>(q.numbers[0].hex);
     }
-  } catch (const InputError&) {
+  } catch (const eval::NoAnswer&) {
     result.verdict = kBeyond;
   }
   return result;

@@ -1,13 +1,13 @@
 #include "verify/claims/three_on_a_line.hpp"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 namespace tps::claims {
 namespace {
 
 namespace mp = boost::multiprecision;
-using Wide = mp::number<mp::cpp_bin_float<300>, mp::et_off>;
+using Wide = mp::number<mp::mpfr_float_backend<300>, mp::et_off>;
 
 Wide angle(double middle_mass, double e_double) {
   const Wide e = e_double;

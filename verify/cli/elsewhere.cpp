@@ -1,5 +1,6 @@
 // For the program of the first build: what only the whole one can do.
 #include "reference/run/run_scalar.hpp"
+#include "reference/scalars.hpp"
 #include "verify/cli/not_built.hpp"
 #include "verify/trace_check/witness.hpp"
 #include "verify/view/checked_page.hpp"
@@ -7,13 +8,16 @@
 
 namespace tps {
 
-RunSummary run_quad(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Quad>(const Scene&, const RunOptions&, const ResumePoint*) {
   throw cli::NotBuilt("a run in quad");
 }
-RunSummary run_mp50(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Mp50>(const Scene&, const RunOptions&, const ResumePoint*) {
   throw cli::NotBuilt("a run in mp50");
 }
-RunSummary run_mp100(const Scene&, const RunOptions&, const ResumePoint*) {
+template <>
+RunSummary run_in<Mp100>(const Scene&, const RunOptions&, const ResumePoint*) {
   throw cli::NotBuilt("a run in mp100");
 }
 

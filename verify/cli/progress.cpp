@@ -33,11 +33,11 @@ ProgressReport::~ProgressReport() {
   if (drawn_) say("\r\033[K");
 }
 
-void ProgressReport::update(const RunOptions::Progress& progress) {
+void ProgressReport::update(const Progress& progress) {
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
-  if (t_before_ < 0) {  // a resumed run did not start at zero
-    t_before_ = progress.t;
+  if (done_before_ < 0) {  // a resumed run did not start at zero
+    done_before_ = progress.done;
     events_before_ = progress.events;
     return;
   }
@@ -46,16 +46,16 @@ void ProgressReport::update(const RunOptions::Progress& progress) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double rate = static_cast<double>(progress.events - events_before_) / seconds;
   std::string text =
-      fmt::format("{} events, {:.3g} events/s, {} = {:.6g}", progress.events, rate, quantity_, progress.t);
-  if (std::isfinite(progress.duration)) {
-    const double part = std::clamp(progress.t / progress.duration, 0.0, 1.0);
-    const double done_here = progress.t - t_before_;
+      fmt::format("{} events, {:.3g} events/s, {} = {:.6g}", progress.events, rate, quantity_, progress.done);
+  if (std::isfinite(progress.whole)) {
+    const double part = std::clamp(progress.done / progress.whole, 0.0, 1.0);
+    const double done_here = progress.done - done_before_;
     const std::string left =
-        done_here > 0 ? duration_text(seconds * (progress.duration - progress.t) / done_here) + " left" : "";
+        done_here > 0 ? duration_text(seconds * (progress.whole - progress.done) / done_here) + " left" : "";
     const auto filled = static_cast<int>(part * kBarWidth);
     const std::string bar =
         terminal_ ? fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kBarWidth - filled) : "";
-    text = fmt::format("{}{:3.0f} %  {} of {:.6g}  {}", bar, 100 * part, text, progress.duration, left);
+    text = fmt::format("{}{:3.0f} %  {} of {:.6g}  {}", bar, 100 * part, text, progress.whole, left);
   }
   if (terminal_) {
     say("\r{}\033[K", text);

@@ -1,22 +1,27 @@
-// How far a run is: a bar with rate and time left on a terminal, plain lines elsewhere, nothing when quiet.
+// How far something is: a bar with rate and time left on a terminal, plain lines elsewhere, nothing when
+// quiet.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
-
-#include "reference/run/run.hpp"
 
 namespace tps::cli {
 
+struct Progress {
+  double done, whole;  ///< of the quantity that the report names; a whole of ∞ where nobody knows it
+  std::uint64_t events;
+};
+
 class ProgressReport {
  public:
-  /// `quantity`: what Progress::t and duration measure.
-  explicit ProgressReport(bool quiet, std::string quantity = "t");
+  /// `quantity`: what `done` and `whole` measure, "t" or "MB".
+  ProgressReport(bool quiet, std::string quantity);
   ~ProgressReport();
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;
 
-  void update(const RunOptions::Progress& progress);
+  void update(const Progress& progress);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -28,7 +33,7 @@ class ProgressReport {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_line_ = start_;
   std::uint64_t events_before_ = 0;
-  double t_before_ = -1;
+  double done_before_ = -1;
 };
 
 }  // namespace tps::cli

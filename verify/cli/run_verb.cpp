@@ -102,11 +102,11 @@ int run(RunArguments& a) {
   a.options.interrupt = &interrupt::flag();
   RunSummary summary;
   {
-    ProgressReport report(a.quiet);
+    ProgressReport report(a.quiet, "t");
     StartNotice notice(a.quiet);
     a.options.progress = [&](const RunOptions::Progress& progress) {
       notice.stop();
-      report.update(progress);
+      report.update({progress.t, progress.duration, progress.events});
     };
     summary = simulate(a, notice);
   }

@@ -5,12 +5,14 @@
 #include <iterator>
 #include <memory>
 
+#include "reference/run/run.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "verify/certified/why.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/write_result.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/protocol/answer.hpp"
 #include "verify/protocol/compound.hpp"
 
@@ -97,6 +99,14 @@ void eval_compound(const EvalArguments& a, const protocol::Compound& operation) 
   print_compound(a, operation, protocol::answer_file(operation, a.in));
 }
 
+eval::Report evaluated(const EvalArguments& a, const eval::Operation& operation, const eval::Input& input) {
+  try {
+    return eval::evaluate(operation, input, a.scalar);
+  } catch (const eval::NoAnswer& why) {
+    throw why.in(a.in.empty() ? a.op : a.in, 0, "");
+  }
+}
+
 void eval_equation(const EvalArguments& a, const eval::Operation& operation) {
   const eval::Input input =
       a.in.empty() ? eval::read_words(operation, a.words) : eval::read_json(operation, a.in);
@@ -107,7 +117,7 @@ void eval_equation(const EvalArguments& a, const eval::Operation& operation) {
     const certified::TimingInput timing{block ? exact::Kind::block : exact::Kind::tether, input};
     return print_report(a, operation.what, "certified, beside double", certified::why_time(timing));
   }
-  const eval::Report report = eval::evaluate(operation, input, a.scalar);
+  const eval::Report report = evaluated(a, operation, input);
   write_result("-", a.format == "json" ? eval::report_json(operation, a.scalar, report)
                                        : eval::report_text(operation, a.scalar, report));
 }
@@ -120,7 +130,7 @@ void add_eval(CLI::App& app, int&) {
   verb->add_option("op", a->op, "Operation, see below")->required();
   CLI::Option* words = verb->add_option("numbers", a->words, "key=value …, vectors as u_A=0,0 or u_A=0,0,0");
   verb->add_option("--in", a->in, "JSON object with the keys, - for standard input")->excludes(words);
-  verb->add_option("--scalar", a->scalar)->check(CLI::IsMember(eval::scalars()))->capture_default_str();
+  verb->add_option("--scalar", a->scalar)->check(CLI::IsMember(scalar_names()))->capture_default_str();
   verb->add_option("--format", a->format)->check(CLI::IsMember({"text", "json"}))->capture_default_str();
   verb->add_flag(
       "--why", a->why,

@@ -1,25 +1,20 @@
 // One operation on given numbers in a chosen scalar.
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "verify/eval/input.hpp"
 #include "verify/eval/report.hpp"
 
 namespace tps::eval {
 
-/// Evaluates in `Scalar`; `name` is what messages call it. Throws InputError where the scalar cannot hold a
+/// Evaluates in `Scalar`; `name` is what messages call it. Throws NoAnswer where the scalar cannot hold a
 /// number or a result, and where eq. (5) is asked of a pair without tangential motion.
 /// Instantiated for the six scalars of the program, each in its own source.
 template <typename Scalar>
 Report evaluate_in(const Operation& operation, const Input& input, std::string_view name, Detail detail);
 
-/// The scalars by the names that commands and files use, in order of precision.
-std::vector<std::string> scalars();
-
-/// The same by the scalar's name. REQUIRES one of scalars().
+/// The same by the scalar's name. REQUIRES one of scalar_names() (reference/run/run.hpp).
 Report evaluate(const Operation& operation, const Input& input, std::string_view scalar,
                 Detail detail = Detail::everything);
 

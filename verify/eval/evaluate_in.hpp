@@ -19,8 +19,8 @@
 #include "reference/equations/rough_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
 #include "reference/equations/wall_time.hpp"
-#include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/eval/report_in.hpp"
 
 namespace tps::eval {
@@ -178,12 +178,7 @@ class Evaluation : private ReportIn<Scalar> {
 
   void revolve() {
     const CollisionFrame<Scalar, D> f = frame();
-    if ((f.v_w.array() == Scalar(0)).all()) {
-      throw InputError(
-          {{"", 0, "",
-            "v_ŵ, the velocity across û, is zero, so û_revolve is 0/0 and eq. (5) has no answer; "
-            "tether_response retracts such a pair"}});
-    }
+    if ((f.v_w.array() == Scalar(0)).all()) throw NoAnswer(kNothingAcross);
     revolution_steps(f);
     result("dp", "Δp",
            revolution_impulse<Scalar, D>(f, number("m_A"), number("m_B"), number("c_revolve"),

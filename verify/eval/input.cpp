@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -14,10 +12,12 @@
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
 #include "reference/text/json_number.hpp"
+#include "reference/text/json_pointer.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/printable.hpp"
 #include "reference/text/text_file.hpp"
+#include "reference/text/typed_number.hpp"
 
 namespace tps::eval {
 namespace {
@@ -181,36 +181,6 @@ class Reader {
   Input input_;
 };
 
-/// A number as people type it; the reason why not otherwise.
-struct TypedNumber {
-  std::optional<double> value;
-  std::string reason;
-};
-
-TypedNumber typed_number(const std::string& text) {
-  if (text == "inf" || text == "+inf") return {HUGE_VAL, ""};
-  if (text == "-inf") return {-HUGE_VAL, ""};
-  if (text.find_first_of("xX") != std::string::npos) {
-    const HexFloat hex = parse_hex_float(text);
-    if (hex.verdict == HexFloat::Verdict::exact) return {hex.value, ""};
-    if (hex.verdict == HexFloat::Verdict::not_a_double) return {{}, "is a number that no double has"};
-    return {{}, "is not a hexadecimal float such as 0x1.8p+1"};
-  }
-  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* end = text.data() + text.size();
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) {
-    const double nearest = std::strtod(begin, nullptr);  // 0 or a subnormal number is one; infinity is none
-    return std::isfinite(nearest) ? TypedNumber{nearest, ""}
-                                  : TypedNumber{{}, "is outside the range of double"};
-  }
-  if (error != std::errc() || rest != end || std::isnan(value)) {
-    return {{}, "is not a number; write a decimal, a hexadecimal float or inf"};
-  }
-  return {value, ""};
-}
-
 std::optional<std::vector<double>> json_numbers(const JsonValue& value) {
   std::vector<double> numbers;
   if (const std::optional<double> one = json_number(value)) return std::vector<double>{*one};
@@ -251,7 +221,7 @@ Input read_members(Reader reader, const JsonValue& object, const std::string& pl
   }
   for (const JsonMember& member : *object.object()) {
     if (member.key == other_key) continue;
-    const std::string pointer = place + "/" + member.key;
+    const std::string pointer = place + "/" + escape_pointer_key(member.key);
     if (const std::optional<std::vector<double>> numbers = json_numbers(member.value)) {
       reader.take(member.key, *numbers, member.key_line, pointer);
     } else if (reader.known(member.key, member.key_line, pointer)) {

@@ -11,7 +11,7 @@
 
 #include "reference/equations/vector.hpp"
 #include "reference/text/hexfloat.hpp"
-#include "reference/text/input_error.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/eval/report.hpp"
 
 namespace tps::eval {
@@ -29,7 +29,7 @@ class ReportIn {
     return abs(x) <= (std::numeric_limits<Scalar>::max)();  // false for NaN, too
   }
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError({{"numbers", 0, "", message + "; use a wider --scalar or other numbers"}});
+    throw NoAnswer(message + "; use a wider --scalar or other numbers");
   }
   std::string_view scalar() const { return scalar_; }
 

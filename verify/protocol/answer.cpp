@@ -10,6 +10,7 @@
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/certified/next_event_input.hpp"
+#include "verify/eval/no_answer.hpp"
 #include "verify/exact/rounded_drag_time.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
@@ -132,15 +133,7 @@ std::string drag(const eval::Operation& operation, const JsonValue& in, const Pl
 }
 
 std::string group(const JsonValue& in, const Place& place) {
-  const certified::GroupInput input = read_group(in, place);
-  try {
-    return group_text(certified::certified_group(input));
-  } catch (const InputError& error) {  // knows the collision, not where the input stands
-    std::vector<InputProblem> problems = error.problems();
-    for (InputProblem& problem : problems)
-      problem = {place.source, in.line, place.pointer + problem.pointer, problem.message};
-    throw InputError(std::move(problems));
-  }
+  return group_text(certified::certified_group(read_group(in, place)));
 }
 
 std::string next_event(const JsonValue& in, const Place& place) {
@@ -178,7 +171,7 @@ std::string answer_order(const OrderInput& input) {
 }
 
 std::string answer(std::string_view name, const JsonValue& in, const std::string& source,
-                   const std::string& pointer) {
+                   const std::string& pointer) try {
   const Place place{source, pointer};
   if (name == "order") return answer_order(read_order(in, place));
   if (name == "group") return group(in, place);
@@ -189,6 +182,8 @@ std::string answer(std::string_view name, const JsonValue& in, const std::string
   if (operation.op == eval::Op::drag_time) return drag(operation, in, place);
   return response_text(
       certified::certified_response(operation.op, eval::read_value(operation, in, source, pointer)));
+} catch (const eval::NoAnswer& why) {
+  throw why.in(source, in.line, pointer);
 }
 
 }  // namespace tps::protocol

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "reference/text/typed_number.hpp"
+
 namespace tps {
 namespace {
 
@@ -17,11 +19,11 @@ bool contains(Range range, double value) {
   throw std::invalid_argument(fmt::format("--{} is \"{}\"; allowed is {}", option, text, allowed));
 }
 
-/// The number that the whole of `text` spells, if it does.
-template <typename Number, typename... Format>
-bool spells(const std::string& text, std::size_t skipped, Number& number, Format... format) {
+/// The integer that the whole of `text` spells, if it does.
+template <typename Integer>
+bool spells(const std::string& text, Integer& number) {
   const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data() + skipped, end, number, format...);
+  const auto result = std::from_chars(text.data(), end, number);
   return result.ec == std::errc() && result.ptr == end;
 }
 
@@ -43,23 +45,20 @@ std::string describe(Range range, bool integer) {
 }
 
 double parse_real(const std::string& option, const std::string& text, Range range) {
-  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
-  double value = 0;
-  const bool spelt = spells(text, hexadecimal ? 2 : 0, value,
-                            hexadecimal ? std::chars_format::hex : std::chars_format::general);
-  if (!spelt || !contains(range, value)) refuse(option, text, describe(range, false));
-  return value;
+  const TypedNumber typed = typed_number(text);
+  if (!typed.value || !contains(range, *typed.value)) refuse(option, text, describe(range, false));
+  return *typed.value;
 }
 
 int parse_integer(const std::string& option, const std::string& text, Range range) {
   int value = 0;
-  if (!spells(text, 0, value) || !contains(range, value)) refuse(option, text, describe(range, true));
+  if (!spells(text, value) || !contains(range, value)) refuse(option, text, describe(range, true));
   return value;
 }
 
 std::uint64_t parse_seed(const std::string& option, const std::string& text) {
   std::uint64_t value = 0;
-  if (!spells(text, 0, value)) refuse(option, text, "an integer from 0 to 2^64 - 1");
+  if (!spells(text, value)) refuse(option, text, "an integer from 0 to 2^64 - 1");
   return value;
 }
 

@@ -180,7 +180,7 @@ template <typename Number>
 void Checker<Number>::judge_collision(const Context<Number>& c, const EventLine<Number>& event) {
   judge_contact(c, event, arrival_);
   if (event.kind == Kind::rebound) below_rounding_.look(c, *bodies_);
-  judge_approach(c, event, *bodies_);
+  if (arrival_) judge_approach(c, event, arrival_->flight, *bodies_);
   expected_ = expected_of(c, event, *bodies_);
   if (event.kind == Kind::retract || event.kind == Kind::revolve) judge_kind(c, event, *bodies_);
   judge_dp(c, event, *bodies_, expected_);

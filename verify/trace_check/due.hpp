@@ -36,8 +36,9 @@ struct Quadratic {
   Vec<W> r, v;
   W L;
   W a, h, c;
-  W q_error;  ///< |q| at a time computed as a root of it is at most this
+  W q_error;  ///< of c, and D's over a: what a time computed as a root misses q = 0 by, but for the others
   W h_error;
+  W t_error;        ///< of a time, as a part of it: the roundings of a, of the sum and of the quotient
   W blur_error{0};  ///< part of q_error: of positions that are not known better
 
   W at(const W& t) const {
@@ -51,8 +52,8 @@ struct Quadratic {
   }
 };
 
-/// Bounds of docs/eq2.md for the stable formulas, 6 u (|r| + L) in distance; docs/check.md derives the one of
-/// the printed formulas, 40 u (|r|² + L²) in squared distance.
+/// docs/check.md derives the bounds of the stable formulas, 16 u L (|r| + L), 6 u |r||v| and 8 u t, and that
+/// of the printed ones, 40 u (|r|² + L²).
 template <typename W>
 Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& u, Timing timing,
                           const W& scale) {
@@ -66,12 +67,21 @@ Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& 
                  dot(flight.r, flight.v),
                  (distance - L) * (distance + L),
                  W(0),
-                 W(0)};
-  const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(12) * u * L * (distance + L);
+                 W(0),
+                 scale * W(8) * u};
+  const W rounding = timing == Timing::paper ? W(40) * u * (rr + L * L) : W(16) * u * L * (distance + L);
   q.blur_error = W(2) * (L + flight.blur) * flight.blur;
   q.q_error = scale * (rounding + q.blur_error);
   q.h_error = scale * (W(6) * u * distance * speed + flight.blur * speed + flight.drift * distance);
   return q;
+}
+
+/// How far beyond the limit, as squared distance, a pair flies until a time that is computed dt or less after
+/// its start: a·q_error of its discriminant is q_error, and while the time is late by t it is 2 L |v| t
+/// farther.
+template <typename W>
+W farthest_beyond(const Quadratic<W>& q, const W& u, const W& scale, const W& dt) {
+  return q.q_error + W(2) * q.L * scale * u * (W(6) * length(q.r) + W(8) * length(q.v) * dt);
 }
 
 /// Times from the start of the pair's flight.
@@ -104,6 +114,8 @@ Due<W> inner_due(const Quadratic<W>& q) {
                : narrowest > zero && q.h < -q.h_error
                    ? std::min(vertex, W((q.c + q.q_error) / (W(-q.h) - q.h_error + square_root(narrowest))))
                    : vertex;
+  due.earliest *= W(1) - q.t_error;
+  due.latest *= W(1) + q.t_error;
   return due;
 }
 
@@ -122,16 +134,18 @@ Due<W> outer_due(const Quadratic<W>& q, bool responded) {
   const bool separates = q.h > q.h_error;
   const W slack = q.h_error / q.a;
   Due<W> due{false, false, zero, zero};
+  const W sooner = W(1) - q.t_error, later = W(1) + q.t_error;
   due.earliest = may_be_outside && q.h >= -q.h_error && !responded
                      ? zero
-                     : std::max(zero, W(larger_root(q.h, early, q.c + q.q_error) - slack));
-  due.latest =
-      separates && is_outside ? zero : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) + slack));
+                     : std::max(zero, W(larger_root(q.h, early, q.c + q.q_error) * sooner - slack));
+  due.latest = separates && is_outside
+                   ? zero
+                   : std::max(zero, W(larger_root(q.h, late, q.c - q.q_error) * later + slack));
   if (!responded) return due;
   // It is pulled at once where a position was rounded since (D23), and by semantics 1 never.
   due.can_be_none = may_be_outside && q.h >= -q.h_error;
   if (early == zero)
-    due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a + W(2) * slack));
+    due.latest = std::max(due.latest, W(W(2) * std::max(zero, W(-q.h)) / q.a * later + W(2) * slack));
   return due;
 }
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "reference/run/run.hpp"
 #include "reference/scalars.hpp"
 #include "verify/trace_check/judge_lines_impl.hpp"
 #include "verify/trace_check/wide.hpp"
@@ -21,10 +22,8 @@ Precision<Wide> precision_of() {
 }
 
 Precision<Wide> precision_named(std::string_view scalar) {
-  if (scalar == "long-double") return precision_of<long double>();
-  if (scalar == "quad") return precision_of<Quad>();
-  if (scalar == "mp50") return precision_of<Mp50>();
-  return precision_of<Mp100>();
+  return AllScalars::ask_of<Precision<Wide>>(static_cast<std::size_t>(scalar_kind(scalar).value()),
+                                             []<typename Scalar>() { return precision_of<Scalar>(); });
 }
 
 }  // namespace

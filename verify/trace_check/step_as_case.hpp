@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/text/number_text.hpp"
+#include "reference/text/hexfloat.hpp"
 #include "verify/trace_check/bodies_now.hpp"
 #include "verify/trace_check/pair_flight.hpp"
 #include "verify/trace_check/report.hpp"
@@ -35,7 +35,7 @@ class ReplayInput {
  private:
   template <typename T>
   static std::string hex(const T& x) {
-    return write_hex_float(static_cast<double>(x));
+    return to_hex<double>(static_cast<double>(x));
   }
   ReplayInput& add(const char* key, const std::string& value) {
     text_ += (text_.empty() ? "\"" : ",\"") + std::string(key) + "\":" + value;

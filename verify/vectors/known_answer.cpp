@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/certified/timing_input.hpp"
@@ -117,7 +118,7 @@ Json rounded_condition(const std::optional<double>& condition) {
 }
 
 Json hex(double x) {
-  return write_hex_float(x);
+  return to_hex<double>(x);
 }
 
 Json hex(const std::vector<double>& x) {

@@ -70,12 +70,12 @@ view::Playback played(const ViewArguments& a) {
   options.stop = [] { return interrupt::requested(); };
   if (!is_scene(a.file)) return view::read_playback(a.file, options);
   const TemporaryFile trace;
-  ProgressReport progress(a.quiet);
+  ProgressReport progress(a.quiet, "t");
   RunOptions run;
   run.trace = trace.path();
   run.max_events = a.most_events;
   run.interrupt = &interrupt::flag();
-  run.progress = [&](const RunOptions::Progress& p) { progress.update(p); };
+  run.progress = [&](const RunOptions::Progress& p) { progress.update({p.t, p.duration, p.events}); };
   run_scene(read_scene_file(a.file), run);
   return view::read_playback(trace.path(), options);
 }

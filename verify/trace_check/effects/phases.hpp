@@ -1,4 +1,6 @@
-// Rule earliest, for phases: windows of time in which a pair of species follows other tether rules.
+// Rule earliest, for phases: windows of time in which a pair of species follows other tether rules. Which
+// rule is in force is worked out here and not asked of the engine, whose fault it may be (docs/decisions.md,
+// L10).
 #pragma once
 
 #include "verify/trace_check/rules/known_events.hpp"

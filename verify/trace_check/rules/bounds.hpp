@@ -42,7 +42,7 @@ bool judge_bounds(const Context<Number>& c, const LimitFlight<Number>& flight, b
   const Quadratic<W>& q = flight.q;
   const bool may_creep = !is_asked || asked.responded;
   const W speeds = length(widened<W>(pair.v_i)) + length(widened<W>(pair.v_j));
-  const W unit = q.q_error / (W(6) * c.scale()) +
+  const W unit = farthest_beyond(q, c.u(), c.scale(), flight.dt) / (W(6) * c.scale()) +
                  (may_creep ? W(4) * asked.L * c.u() * speeds * flight.dt : W(0)) +
                  asked.L * time_error * length(q.v) / W(3);
   const W excess = excess_of(q, asked.outer, flight.dt);

@@ -89,7 +89,7 @@ void add_time_residual(const Context<Number>& c, const EventLine<Number>& event,
   const W t = outer ? (q.h > W(0) ? W(-q.c / (q.h + root)) : W((root - q.h) / q.a)) : W(q.c / (root - q.h));
   if (t <= W(0)) return;
   const W ulp = c.u() * t;
-  const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(12) * root)));
+  const W rounding = ulp + (c.certified() ? W(0) : W(q.q_error / (c.scale() * W(16) * root)));
   // A pair that is all but at its limit: where it meets it is rounding of places, of which an ulp of the time
   // is no measure.
   if (ulp * W(1 << 20) < rounding) return;
@@ -190,14 +190,18 @@ void judge_contact(const Context<Number>& c, const EventLine<Number>& event,
 }
 
 /// At an inner limit a pair approaches, at an outer one it separates; a vanishing v_n has the sign of
-/// rounding, that of the positions turns the axis.
+/// rounding: that of the positions turns the axis, and while the time is late v_n grows by a of it.
 template <typename Number>
-void judge_approach(const Context<Number>& c, const EventLine<Number>& event, const BodiesNow<Number>& b) {
+void judge_approach(const Context<Number>& c, const EventLine<Number>& event,
+                    const LimitFlight<Number>& flight, const BodiesNow<Number>& b) {
   using W = Work<Number>;
   const bool outer = event.kind != Kind::rebound;
   const W v_n = b.v_n();
   const W wrong_way = outer ? W(-v_n) : v_n;
-  const W unit = unit_of_v_n(c, b);
+  const Quadratic<W>& q = flight.q;
+  const W of_time =
+      (q.h_error + q.a * q.t_error * flight.dt + q.q_error * length(q.v) / q.L) / (c.scale() * b.distance());
+  const W unit = unit_of_v_n(c, b) + of_time / W(kRoundingsOfApproach);
   const double off = std::max(0.0, as_double(W(wrong_way / unit)));
   c.tally.within(Rule::contact, off, kRoundingsOfApproach, [&](Finding& f) {
     f.message = fmt::format("{} {} at its {} limit, v_n = {}", c.pair(b.i, b.j),

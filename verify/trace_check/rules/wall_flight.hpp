@@ -188,8 +188,8 @@ Work<Number> beyond_wall(const Context<Number>& c, const WallFlight<Number>& fli
     return excess /
            ((flight.gap_error + flight.towards_error * dt) / W(6) + time_error * abs(flight.towards) / W(3));
   }
-  const W unit =
-      flight.q.q_error / (W(6) * c.scale()) + flight.asked.L * time_error * length(flight.q.v) / W(3);
+  const W unit = farthest_beyond(flight.q, c.u(), c.scale(), dt) / (W(6) * c.scale()) +
+                 flight.asked.L * time_error * length(flight.q.v) / W(3);
   return excess_of(flight.q, flight.asked.outer, dt) / unit;
 }
 
