@@ -179,7 +179,7 @@ int explore_laws(const PropertiesArguments& a) {
 
 int replay_cases(const PropertiesArguments& a) {
   const auto subject = subject_of(a);
-  const Replay replay = replay_files(a.replayed, a.bitwise, *subject);
+  const Replayed replay = replay_files(a.replayed, a.bitwise, *subject);
   write_result("-", a.format == "json" ? replay_json(replay) : replay_text(replay));
   say_given_up(*subject);
   for (const Finding& finding : replay.findings)

@@ -13,7 +13,7 @@ namespace {
 
 using namespace tps::properties;
 
-void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replay& replay) {
+void replay_file(const std::string& path, bool bitwise, Implementation& subject, Replayed& replay) {
   refuse_other_kinds_of_file(path, "a file of cases of broken laws", {FileKind::regressions});
   std::ifstream file(path, std::ios::binary);
   std::error_code unknown;
@@ -38,8 +38,8 @@ void replay_file(const std::string& path, bool bitwise, Implementation& subject,
 
 }  // namespace
 
-Replay replay_files(const std::vector<std::string>& paths, bool bitwise, Implementation& subject) {
-  Replay replay{subject.name(), 0, 0, {}};
+Replayed replay_files(const std::vector<std::string>& paths, bool bitwise, Implementation& subject) {
+  Replayed replay{subject.name(), 0, 0, {}};
   for (const std::string& path : paths) replay_file(path, bitwise, subject, replay);
   return replay;
 }

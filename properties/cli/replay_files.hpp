@@ -10,7 +10,7 @@
 namespace tps::cli {
 
 /// What the cases of these files give now. THROWS InputError where a file is none of regressions.
-properties::Replay replay_files(const std::vector<std::string>& paths, bool bitwise,
-                                properties::Implementation& subject);
+properties::Replayed replay_files(const std::vector<std::string>& paths, bool bitwise,
+                                  properties::Implementation& subject);
 
 }  // namespace tps::cli

@@ -151,14 +151,14 @@ std::string finding_text(const Finding& finding, const Plan& plan) {
   return printable_lines(text);
 }
 
-std::string replay_text(const Replay& replay) {
+std::string replay_text(const Replayed& replay) {
   std::string text;
   for (const Finding& finding : replay.findings) text += finding_text(finding, {});
   return text + fmt::format("{}: {} cases hold, {} broken, {} not asked\n", replay.subject, replay.held,
                             replay.findings.size(), replay.not_asked);
 }
 
-std::string replay_json(const Replay& replay) {
+std::string replay_json(const Replayed& replay) {
   Json findings = Json::array();
   for (const Finding& finding : replay.findings) {
     findings.push_back(law_json(finding.law->text));

@@ -18,13 +18,13 @@ std::string exploration_text(const Exploration& exploration);
 std::string exploration_json(const Exploration& exploration);
 
 /// What became of cases that were kept.
-struct Replay {
+struct Replayed {
   std::string subject;
   std::size_t held = 0, not_asked = 0;
   std::vector<Finding> findings;
 };
-std::string replay_text(const Replay& replay);
-std::string replay_json(const Replay& replay);
+std::string replay_text(const Replayed& replay);
+std::string replay_json(const Replayed& replay);
 
 /// `tps eval …` for a question; what has parts of its own (group, order, a scene) goes by --in.
 std::string command_of(const Question& question);

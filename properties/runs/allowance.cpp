@@ -4,12 +4,12 @@
 
 namespace tps::properties::runs {
 
-Allowance::Allowance(const Replay& start, Real roundoff) : u_(roundoff) {
+Allowance::Allowance(const ImpliedState& start, Real roundoff) : u_(roundoff) {
   for (int i = 0; i < start.size(); ++i)
     largest_.push_back({start.flight(i).position.norm(), start.flight(i).velocity.norm()});
 }
 
-void Allowance::fly(const Replay& replay, const Instant& t) {
+void Allowance::fly(const ImpliedState& replay, const Instant& t) {
   for (int i = 0; i < replay.size(); ++i) {
     Largest& l = largest_[static_cast<std::size_t>(i)];
     l.speed = std::max(l.speed, replay.flight(i).velocity.norm());
@@ -19,7 +19,7 @@ void Allowance::fly(const Replay& replay, const Instant& t) {
   now_ = t;
 }
 
-void Allowance::note(const Replay& before, const TracedEvent& event) {
+void Allowance::note(const ImpliedState& before, const TracedEvent& event) {
   fly(before, event.t);
   for (const auto& [id, state] : event.post) {
     Largest& l = largest_[static_cast<std::size_t>(before.index_of(id))];

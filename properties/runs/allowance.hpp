@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "properties/runs/replay.hpp"
+#include "properties/runs/implied_state.hpp"
 
 namespace tps::properties::runs {
 
@@ -22,12 +22,12 @@ namespace tps::properties::runs {
 /// the two: 64 u ∫ s dt for each.
 class Allowance {
  public:
-  Allowance(const Replay& start, Real roundoff);
+  Allowance(const ImpliedState& start, Real roundoff);
 
   /// Up to t every particle flies as `replay` has it. Called with ascending t.
-  void fly(const Replay& replay, const Instant& t);
+  void fly(const ImpliedState& replay, const Instant& t);
   /// fly() to an event, and what it does.
-  void note(const Replay& before, const TracedEvent& event);
+  void note(const ImpliedState& before, const TracedEvent& event);
 
   Real distance(int i, int j, Real limit) const;
   /// Of a velocity along the axis of a pair that stands `distance()` beside its limit, v its relative speed.

@@ -20,7 +20,7 @@ Point nearest(const Scene& scene, Point r) {
 }
 
 /// Positions are unwrapped, so that they and their roundings grow with the way.
-Real slack_in_box(const Replay& before, int i, int j, const Instant& t, Real L, Real u) {
+Real slack_in_box(const ImpliedState& before, int i, int j, const Instant& t, Real L, Real u) {
   Real size = L;
   for (const int n : {i, j}) {
     const Flight& f = before.flight(n);
@@ -30,7 +30,7 @@ Real slack_in_box(const Replay& before, int i, int j, const Instant& t, Real L, 
 }
 
 /// No two images nearer than their limit, at sixteen moments of the time since the last event.
-std::optional<std::string> overlaps(const Scene& scene, const Replay& before, const Instant& last,
+std::optional<std::string> overlaps(const Scene& scene, const ImpliedState& before, const Instant& last,
                                     const TracedEvent& event, Real u) {
   const Real dt = elapsed(last, event.t);
   for (int i = 0; i < before.size(); ++i) {
@@ -53,7 +53,7 @@ std::optional<std::string> overlaps(const Scene& scene, const Replay& before, co
 }
 
 /// A rebound at the nearest image: at its limit, by eq. (4), with equal and opposite momenta.
-std::optional<std::string> rebounds_elsewhere(const Scene& scene, const Replay& before,
+std::optional<std::string> rebounds_elsewhere(const Scene& scene, const ImpliedState& before,
                                               const TracedEvent& event, Real u) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   const PairLaw* law = before.law(i, j);
@@ -90,13 +90,14 @@ RunVerdict meets_images(const Scene& scene, Simulator& simulator) {
   if (!is_a_scene(scene)) return RunVerdict::not_asked();
   const Real u = simulator.roundoff();
   Instant last;
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        const auto fault = overlaps(scene, before, last, event, u);
-        last = event.t;
-        if (fault || event.kind != "rebound") return fault;
-        return rebounds_elsewhere(scene, before, event, u);
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    const auto fault = overlaps(scene, before, last, event, u);
+                    last = event.t;
+                    if (fault || event.kind != "rebound") return fault;
+                    return rebounds_elsewhere(scene, before, event, u);
+                  }));
 }
 
 /// Nobody is within half an edge of an image: speeds stay below what all the energy gives the lightest.

@@ -48,7 +48,7 @@ Real least_distance(const Wall& block, const Flight& f, Real dt) {
   return least;
 }
 
-std::optional<std::string> comes_too_near(const Scene& scene, const Replay& before, const Instant& t,
+std::optional<std::string> comes_too_near(const Scene& scene, const ImpliedState& before, const Instant& t,
                                           Real u) {
   for (int i = 0; i < before.size(); ++i) {
     const Flight& f = before.flight(i);
@@ -61,8 +61,8 @@ std::optional<std::string> comes_too_near(const Scene& scene, const Replay& befo
 }
 
 /// Along the line from the nearest point of the block, which errs by the ulps of its places.
-std::optional<std::string> turns_wrongly(const Scene& scene, const Replay& before, const TracedEvent& event,
-                                         Real u) {
+std::optional<std::string> turns_wrongly(const Scene& scene, const ImpliedState& before,
+                                         const TracedEvent& event, Real u) {
   const Wall& block = scene.walls[1];
   const Point& at_event = event.pre.at(*event.i).position;
   const Point r = at_event - nearest_of(block, at_event);
@@ -73,12 +73,13 @@ std::optional<std::string> turns_wrongly(const Scene& scene, const Replay& befor
 
 RunVerdict stays_outside(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        if (auto fault = comes_too_near(scene, before, event.t, u)) return fault;
-        const bool is_at_block = event.kind == "wall" && event.wall == 1;
-        return is_at_block ? turns_wrongly(scene, before, event, u) : std::nullopt;
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    if (auto fault = comes_too_near(scene, before, event.t, u)) return fault;
+                    const bool is_at_block = event.kind == "wall" && event.wall == 1;
+                    return is_at_block ? turns_wrongly(scene, before, event, u) : std::nullopt;
+                  }));
 }
 
 }  // namespace

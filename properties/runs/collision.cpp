@@ -27,7 +27,7 @@ Point revolved(const Collided& c, Real c_revolve, Real theta_deg) {
 struct Answers {
   bool retract, revolve, nothing;
 };
-Answers allowed_answers(const Replay& replay, const Collided& c, const TetheringLaw& law, Real u) {
+Answers allowed_answers(const ImpliedState& replay, const Collided& c, const TetheringLaw& law, Real u) {
   const Real speed = c.v_AB.norm();
   const Real theta = radians(replay.stored_angle(law.theta_revolve_deg));
   const Real along = std::abs(replay.stored(law.c_retract) * c.v_n) * std::cos(theta);
@@ -48,8 +48,8 @@ std::optional<std::string> wrong_rebound(const Collided& c, const TracedEvent& e
                 44 * u * kSpare * c.mu * c.v_AB.norm());
 }
 
-std::optional<std::string> wrong_retraction(const Replay& replay, const Collided& c, const TracedEvent& event,
-                                            const TetheringLaw& law, Real u) {
+std::optional<std::string> wrong_retraction(const ImpliedState& replay, const Collided& c,
+                                            const TracedEvent& event, const TetheringLaw& law, Real u) {
   const Point dp = event.dp.value();
   const Answers allowed = allowed_answers(replay, c, law, u);
   if (event.kind == "revolve") {
@@ -72,7 +72,7 @@ std::optional<std::string> wrong_retraction(const Replay& replay, const Collided
 
 }  // namespace
 
-Collided collided(const Replay& before, const TracedEvent& event) {
+Collided collided(const ImpliedState& before, const TracedEvent& event) {
   Collided c{};
   c.i = before.index_of(event.i.value());
   c.j = before.index_of(event.j.value());
@@ -103,7 +103,7 @@ Point load_velocity(const Collided& c) {
   return (c.mass_i * c.v_i + c.mass_j * c.v_j) / (c.mass_i + c.mass_j);
 }
 
-Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& event) {
+Real energy_lost(const ImpliedState& before, const Collided& c, const TracedEvent& event) {
   if (event.dp.value().isZero(0)) return 0;
   const PairLaw& law = *before.law(c.i, c.j);
   if (event.kind == "revolve") {
@@ -116,7 +116,7 @@ Real energy_lost(const Replay& before, const Collided& c, const TracedEvent& eve
   return c.mu / 2 * (1 - coefficient * coefficient) * c.v_n * c.v_n;
 }
 
-Real directed_change(const Replay& before, const TracedEvent& event, Real u) {
+Real directed_change(const ImpliedState& before, const TracedEvent& event, Real u) {
   const bool restitution = event.kind == "restitute";
   if (!restitution && (!event.is_collision() || event.is_load())) return 0;
   const Collided c = collided(before, event);
@@ -130,7 +130,7 @@ Real directed_change(const Replay& before, const TracedEvent& event, Real u) {
   return std::sqrt(Real(before.dimension())) * error;
 }
 
-Real tether_impulse(const Replay& before, const Collided& c) {
+Real tether_impulse(const ImpliedState& before, const Collided& c) {
   const TetheringLaw& law = *before.law(c.i, c.j)->tethering;
   const Real c_retract = before.stored(law.c_retract);
   const Real theta = before.stored_angle(law.theta_revolve_deg);
@@ -140,8 +140,8 @@ Real tether_impulse(const Replay& before, const Collided& c) {
   return c.mu * (c.v_AB - revolved(c, before.stored(law.c_revolve), theta)).norm();
 }
 
-std::optional<std::string> wrong_impulse(const Replay& before, const Collided& c, const TracedEvent& event,
-                                         Real u) {
+std::optional<std::string> wrong_impulse(const ImpliedState& before, const Collided& c,
+                                         const TracedEvent& event, Real u) {
   const PairLaw* law = before.law(c.i, c.j);
   if (law == nullptr) return "a collision of two particles that do not interact";
   if (event.kind == "rebound") {

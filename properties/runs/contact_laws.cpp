@@ -38,7 +38,7 @@ Scene head_on(int dimension) {
 /// By the exact sign of r·v' of the stored numbers; a load promises nothing.
 RunVerdict departs(const Scene& scene, Simulator& simulator) {
   return RunVerdict::of(first_fault(
-      scene, simulator, [](const Replay&, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator, [](const ImpliedState&, const TracedEvent& event) -> std::optional<std::string> {
         if (!event.is_collision() || event.is_load() || event.dp.value().isZero(0)) return std::nullopt;
         const TracedState &i = event.post.at(*event.i), &j = event.post.at(*event.j);
         const int sign = normal_sign<Real, 3>(i.position, j.position, i.velocity, j.velocity);
@@ -51,13 +51,14 @@ RunVerdict departs(const Scene& scene, Simulator& simulator) {
 
 /// Δp is parallel to the axis to a few u, so that its sign is that of v_n, however small.
 RunVerdict repels(const Scene& scene, Simulator& simulator) {
-  return RunVerdict::of(first_fault(
-      scene, simulator, [](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        if (event.kind != "rebound") return std::nullopt;
-        const Collided c = collided(before, event);
-        if (event.dp.value().dot(c.axis) > 0) return "the impulse attracts";
-        return std::nullopt;
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    if (event.kind != "rebound") return std::nullopt;
+                    const Collided c = collided(before, event);
+                    if (event.dp.value().dot(c.axis) > 0) return "the impulse attracts";
+                    return std::nullopt;
+                  }));
 }
 
 }  // namespace

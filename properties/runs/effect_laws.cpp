@@ -132,7 +132,7 @@ RunVerdict rubs(const Scene& scene, Simulator& simulator) {
     return std::ranges::find_if(scene.particles, [&](const Particle& p) { return p.id == id; })->species;
   };
   return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay&, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator, [&](const ImpliedState&, const TracedEvent& event) -> std::optional<std::string> {
         if (event.kind != "rebound") return std::nullopt;
         const PairLaw* law = pair_law(scene.pairs, species_of(*event.i), species_of(*event.j));
         if (law == nullptr || !law->friction || event.dp.value().isZero(0)) return std::nullopt;

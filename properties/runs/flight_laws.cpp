@@ -11,13 +11,13 @@
 namespace tps::properties::runs {
 namespace {
 
-std::string pair_name(const Replay& replay, int i, int j) {
+std::string pair_name(const ImpliedState& replay, int i, int j) {
   return std::to_string(replay.id_of(i)) + " and " + std::to_string(replay.id_of(j));
 }
 
 /// Least and largest distance of a pair between two instants: the vertex of the quadratic where it lies
 /// between, else the ends.
-std::pair<Real, Real> distances_between(const Replay& replay, int i, int j, const Instant& from,
+std::pair<Real, Real> distances_between(const ImpliedState& replay, int i, int j, const Instant& from,
                                         const Instant& to) {
   const Point first = replay.position(j, from) - replay.position(i, from);
   const Point last = replay.position(j, to) - replay.position(i, to);
@@ -29,8 +29,8 @@ std::pair<Real, Real> distances_between(const Replay& replay, int i, int j, cons
 }
 
 /// A pair that is beyond one of its limits between two instants.
-std::optional<std::string> bound_broken(const Replay& replay, const Allowance& allowance, const Instant& from,
-                                        const Instant& to) {
+std::optional<std::string> bound_broken(const ImpliedState& replay, const Allowance& allowance,
+                                        const Instant& from, const Instant& to) {
   for (int i = 0; i < replay.size(); ++i) {
     for (int j = i + 1; j < replay.size(); ++j) {
       const PairLaw* law = replay.law(i, j);
@@ -64,7 +64,7 @@ bool angles_are_lost(const Scene& scene, const Simulator& simulator) {
 RunVerdict keeps_distances(const Scene& scene, Simulator& simulator) {
   if (angles_are_lost(scene, simulator)) return RunVerdict::not_asked();
   const RunTrace trace = simulator.run(scene);
-  Replay replay(scene, simulator.scalar());
+  ImpliedState replay(scene, simulator.scalar());
   Allowance allowance(replay, simulator.roundoff());
   Instant now;
   for (const TracedEvent& event : trace.events) {
@@ -79,7 +79,7 @@ RunVerdict keeps_distances(const Scene& scene, Simulator& simulator) {
 }
 
 /// A collision happens at its limit, to pairs that move beyond it.
-std::optional<std::string> not_due(const Replay& before, const Allowance& allowance,
+std::optional<std::string> not_due(const ImpliedState& before, const Allowance& allowance,
                                    const TracedEvent& event) {
   const Collided c = collided(before, event);
   const PairLaw* law = before.law(c.i, c.j);
@@ -96,19 +96,20 @@ std::optional<std::string> not_due(const Replay& before, const Allowance& allowa
 }
 
 RunVerdict collides_when_due(const Scene& scene, Simulator& simulator) {
-  Replay start(scene, simulator.scalar());
+  ImpliedState start(scene, simulator.scalar());
   Allowance allowance(start, simulator.roundoff());
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        allowance.note(before, event);
-        if (!event.is_collision() && event.kind != "break") return std::nullopt;
-        return not_due(before, allowance, event);
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    allowance.note(before, event);
+                    if (!event.is_collision() && event.kind != "break") return std::nullopt;
+                    return not_due(before, allowance, event);
+                  }));
 }
 
 /// The place of a particle at an event, which the run has rounded: elapsed, product and sum, twice where it
 /// was carried along in a group. The velocity is the one it was left with, bit for bit.
-std::optional<std::string> not_in_flight(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> not_in_flight(const ImpliedState& before, const TracedEvent& event, Real u) {
   for (const auto& [id, state] : event.pre) {
     const int i = before.index_of(id);
     const Flight& f = before.flight(i);
@@ -130,16 +131,17 @@ std::optional<std::string> not_in_flight(const Replay& before, const TracedEvent
 RunVerdict flies_straight(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
   Instant last;
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        const Real dt = elapsed(last, event.t);
-        last = event.t;
-        if (dt < 0) return "time goes back";
-        if (auto fault = beyond("dt beside the difference of times", std::abs(event.dt - dt),
-                                u * kSpare * (dt + 4 * u * event.t.hi)))
-          return fault;
-        return not_in_flight(before, event, u);
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    const Real dt = elapsed(last, event.t);
+                    last = event.t;
+                    if (dt < 0) return "time goes back";
+                    if (auto fault = beyond("dt beside the difference of times", std::abs(event.dt - dt),
+                                            u * kSpare * (dt + 4 * u * event.t.hi)))
+                      return fault;
+                    return not_in_flight(before, event, u);
+                  }));
 }
 
 /// What a pair looked like after it had responded at a limit.
@@ -151,7 +153,8 @@ struct Left {
 RunVerdict responds_once(const Scene& scene, Simulator& simulator) {
   std::map<std::tuple<int, int, bool>, Left> responded;
   return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator,
+      [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
         if (!event.is_collision()) return std::nullopt;
         const bool inner = event.kind == "rebound";
         const auto key = std::make_tuple(before.index_of(*event.i), before.index_of(*event.j), inner);
@@ -169,7 +172,7 @@ RunVerdict responds_once(const Scene& scene, Simulator& simulator) {
 /// Impulses and phases from outside, in the order of the scene's times.
 RunVerdict keeps_the_schedule(const Scene& scene, Simulator& simulator) {
   const RunTrace trace = simulator.run(scene);
-  const Replay start(scene, simulator.scalar());
+  const ImpliedState start(scene, simulator.scalar());
   std::vector<Real> impulses, phases;
   for (const ScheduledImpulse& impulse : scene.impulses) impulses.push_back(start.stored(impulse.at));
   for (const Phase& phase : scene.phases) {

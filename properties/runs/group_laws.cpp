@@ -10,14 +10,14 @@
 namespace tps::properties::runs {
 namespace {
 
-std::string name_of(const Replay& replay, const std::set<int>& particles) {
+std::string name_of(const ImpliedState& replay, const std::set<int>& particles) {
   std::string text;
   for (const int p : particles) text += (text.empty() ? "{" : ", ") + std::to_string(replay.id_of(p));
   return text + "}";
 }
 
 /// A load unites the two bodies and nobody else; an infinite mass joins none.
-std::optional<std::string> unites_wrongly(const Replay& before, const TracedEvent& event) {
+std::optional<std::string> unites_wrongly(const ImpliedState& before, const TracedEvent& event) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   if (before.together(i, j)) return "two particles of one group collide";
   std::set<int> united;
@@ -33,7 +33,7 @@ std::optional<std::string> unites_wrongly(const Replay& before, const TracedEven
 }
 
 /// A restitution parts the root of its group, by the impulse kept at the load and eq. (3).
-std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> parts_wrongly(const ImpliedState& before, const TracedEvent& event, Real u) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   const LoadedNode* node = before.node(i, j);
   if (node == nullptr) return "a restitution of a pair that is not loaded";
@@ -56,7 +56,7 @@ std::optional<std::string> parts_wrongly(const Replay& before, const TracedEvent
 }
 
 /// A group that should have been given back before an instant.
-std::optional<std::string> overdue(const Replay& before, const Instant& t, Real dt, Real late) {
+std::optional<std::string> overdue(const ImpliedState& before, const Instant& t, Real dt, Real late) {
   for (const LoadedBody& body : before.bodies()) {
     if (auto fault = beyond("age of the latest load of the group " + name_of(before, body.members),
                             elapsed(body.last_load, t), dt + late))
@@ -73,10 +73,11 @@ Real expiry_error(const Simulator& simulator, Real dt, const Instant& t) {
 
 RunVerdict unwinds(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
-  const Replay start(scene, simulator.scalar());
+  const ImpliedState start(scene, simulator.scalar());
   const Real dt = start.stored(scene.grouping->dt_restitute);
   return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator,
+      [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
         const Real late = expiry_error(simulator, dt, event.t);
         if (auto fault = overdue(before, event.t, dt, late)) return fault;
         if (event.is_load()) return unites_wrongly(before, event);
@@ -90,7 +91,7 @@ RunVerdict unwinds(const Scene& scene, Simulator& simulator) {
 }
 
 /// Particles in a finite scene, the infinite masses counted as one.
-Real bodies_at_most(const Scene& scene, const Replay& replay) {
+Real bodies_at_most(const Scene& scene, const ImpliedState& replay) {
   int finite = 0;
   for (int i = 0; i < replay.size(); ++i) finite += replay.is_fixed(i) ? 0 : 1;
   return Real(finite + (finite < static_cast<int>(scene.particles.size()) ? 1 : 0));
@@ -100,7 +101,7 @@ Real bodies_at_most(const Scene& scene, const Replay& replay) {
 /// time.
 RunVerdict has_few_events(const Scene& scene, Simulator& simulator) {
   const RunTrace trace = simulator.run(scene, {.max_events = 300, .state_every = 0});
-  const Replay start(scene, simulator.scalar());
+  const ImpliedState start(scene, simulator.scalar());
   const auto loads = std::count_if(trace.events.begin(), trace.events.end(),
                                    [](const TracedEvent& e) { return e.is_load() || e.kind == "restitute"; });
   const Real most = 2 * (bodies_at_most(scene, start) - 1) *
@@ -110,7 +111,7 @@ RunVerdict has_few_events(const Scene& scene, Simulator& simulator) {
 
 /// The velocities that members of a group will have: what they move with and ±Δp_AB/m of each node above
 /// them, the deepest first, as no implementation unwinds them.
-std::map<int, Point> unwound_from_below(const Replay& replay, const LoadedBody& body) {
+std::map<int, Point> unwound_from_below(const ImpliedState& replay, const LoadedBody& body) {
   std::map<int, Point> velocities;
   for (const int p : body.members) velocities[p] = replay.flight(p).velocity;
   for (const LoadedNode& node : body.nodes) {
@@ -126,12 +127,12 @@ struct Unwinding {
   Real directed = 0;  ///< what directed rounding may have changed
 };
 
-bool is_over(const Replay& after, const Unwinding& unwinding) {
+bool is_over(const ImpliedState& after, const Unwinding& unwinding) {
   return std::ranges::none_of(unwinding.expected,
                               [&](const auto& p) { return after.body(p.first) != nullptr; });
 }
 
-std::optional<std::string> unwound_elsewhere(const Replay& after, const Unwinding& unwinding, Real u) {
+std::optional<std::string> unwound_elsewhere(const ImpliedState& after, const Unwinding& unwinding, Real u) {
   for (const auto& [p, velocity] : unwinding.expected) {
     if (auto fault =
             beyond("velocity of " + std::to_string(after.id_of(p)) + " beside the sum of its nodes' impulses",
@@ -146,7 +147,8 @@ RunVerdict order_is_irrelevant(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
   std::optional<Unwinding> open;
   return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator,
+      [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
         if (event.kind != "restitute")
           return open ? std::optional<std::string>("a group is only given back in part") : std::nullopt;
         const int i = before.index_of(*event.i), j = before.index_of(*event.j);
@@ -158,7 +160,7 @@ RunVerdict order_is_irrelevant(const Scene& scene, Simulator& simulator) {
         open->directed += directed_change(before, event, u);
         for (const auto& [id, state] : event.post)
           open->speeds += state.velocity.norm() + event.pre.at(id).velocity.norm();
-        Replay after = before;
+        ImpliedState after = before;
         after.apply(event);
         if (!is_over(after, *open)) return std::nullopt;
         return unwound_elsewhere(after, *std::exchange(open, std::nullopt), u);

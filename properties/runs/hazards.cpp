@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/runs/replay.hpp"
+#include "properties/runs/implied_state.hpp"
 
 namespace tps::properties::runs {
 namespace {
@@ -21,7 +21,7 @@ bool is_at(Real distance, Real limit) {
   return std::abs(distance - limit) <= 1e-12L * limit;
 }
 
-void note_starts(const Scene& scene, const Replay& start, std::set<std::string>& met) {
+void note_starts(const Scene& scene, const ImpliedState& start, std::set<std::string>& met) {
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     for (std::size_t j = i + 1; j < scene.particles.size(); ++j) {
       const int a = static_cast<int>(i), b = static_cast<int>(j);
@@ -36,7 +36,7 @@ void note_starts(const Scene& scene, const Replay& start, std::set<std::string>&
   }
 }
 
-void note_collision(const Replay& before, const TracedEvent& event, std::set<std::string>& met) {
+void note_collision(const ImpliedState& before, const TracedEvent& event, std::set<std::string>& met) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   if (before.is_fixed(i) || before.is_fixed(j)) {
     met.insert(event.kind == "rebound" ? "wall" : "enclosure");
@@ -77,7 +77,7 @@ const std::vector<HazardFloor>& hazard_floors() {
 
 std::set<std::string> hazards_met(const Scene& scene, const RunTrace& trace) {
   std::set<std::string> met;
-  Replay replay(scene, "double");
+  ImpliedState replay(scene, "double");
   note_starts(scene, replay, met);
   const TracedEvent* last = nullptr;
   for (std::size_t n = 0; n < trace.events.size(); ++n) {

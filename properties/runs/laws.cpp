@@ -56,7 +56,7 @@ void check_law(const RunLaw& law, Simulator& simulator, int dimension, Instead* 
 
 std::optional<std::string> first_fault(const Scene& scene, Simulator& simulator, const EventJudge& judge) {
   const RunTrace trace = simulator.run(scene);
-  Replay replay(scene, simulator.scalar());
+  ImpliedState replay(scene, simulator.scalar());
   for (const TracedEvent& event : trace.events) {
     const std::optional<std::string> fault = judge(replay, event);
     if (fault) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/runs/replay.hpp"
+#include "properties/runs/implied_state.hpp"
 #include "properties/runs/scenes.hpp"
 #include "properties/runs/simulator.hpp"
 
@@ -60,7 +60,8 @@ inline std::function<rc::Gen<SmallScene>(int)> of(Wanted wanted) {
 }
 
 /// What is wrong at an event, given the state before it; nothing where all is well.
-using EventJudge = std::function<std::optional<std::string>(const Replay& before, const TracedEvent& event)>;
+using EventJudge =
+    std::function<std::optional<std::string>(const ImpliedState& before, const TracedEvent& event)>;
 
 /// Runs a scene and asks about every event; the first fault, with the event it was found at.
 std::optional<std::string> first_fault(const Scene& scene, Simulator& simulator, const EventJudge& judge);

@@ -12,14 +12,14 @@ namespace {
 
 /// The velocities after an event of every particle that it moves: of groups, too, whose other members are not
 /// named at a restitution.
-Replay after_event(const Replay& before, const TracedEvent& event) {
-  Replay after = before;
+ImpliedState after_event(const ImpliedState& before, const TracedEvent& event) {
+  ImpliedState after = before;
   after.apply(event);
   return after;
 }
 
 /// The finite masses that an event moves, or would have moved had rounding not erased it.
-std::set<int> concerned(const Replay& before, const TracedEvent& event) {
+std::set<int> concerned(const ImpliedState& before, const TracedEvent& event) {
   std::set<int> all;
   for (const auto& [id, state] : event.post) {
     if (!before.is_fixed(before.index_of(id))) all.merge(before.with(before.index_of(id)));
@@ -28,7 +28,7 @@ std::set<int> concerned(const Replay& before, const TracedEvent& event) {
 }
 
 /// Σ m s over them, s = |v| + |v'|: of this a momentum errs by roundings.
-Real momentum_share(const Replay& before, const Replay& after, const TracedEvent& event) {
+Real momentum_share(const ImpliedState& before, const ImpliedState& after, const TracedEvent& event) {
   Real share = 0;
   for (const int i : concerned(before, event)) {
     share += before.mass(i) * (before.flight(i).velocity.norm() + after.flight(i).velocity.norm());
@@ -37,13 +37,13 @@ Real momentum_share(const Replay& before, const Replay& after, const TracedEvent
 }
 
 /// |v − V| + |v' − V|: an energy counts in the walls' frame.
-Real speeds_in_frame(int i, const Replay& before, const Replay& after) {
+Real speeds_in_frame(int i, const ImpliedState& before, const ImpliedState& after) {
   const Point& V = before.frame_velocity();
   return (before.flight(i).velocity - V).norm() + (after.flight(i).velocity - V).norm();
 }
 
 /// Σ m s max(s, s_V) over them: of this an energy errs. A velocity is rounded as the scene's frame has it.
-Real energy_share(const Replay& before, const Replay& after, const TracedEvent& event) {
+Real energy_share(const ImpliedState& before, const ImpliedState& after, const TracedEvent& event) {
   Real share = 0;
   for (const int i : concerned(before, event)) {
     const Real speeds = before.flight(i).velocity.norm() + after.flight(i).velocity.norm();
@@ -56,7 +56,7 @@ Real energy_share(const Replay& before, const Replay& after, const TracedEvent& 
 struct Directed {
   Real momentum = 0, energy = 0;
 };
-Directed directed(const Replay& before, const Replay& after, const TracedEvent& event, Real u) {
+Directed directed(const ImpliedState& before, const ImpliedState& after, const TracedEvent& event, Real u) {
   const Real change = directed_change(before, event, u);
   if (change == 0) return {};
   const Collided c = collided(before, event);
@@ -75,9 +75,9 @@ std::optional<Point> from_wall(const Collided& c, const TracedEvent& event) {
 // Eq. (3) errs by 2 u m (|v| + |v'|) a particle; eq. (6) by 5 u: a weight 3, product and sum. Together
 // below 8. Δp and μ v_AB of a wall err by 1 u and 4 u of themselves, which are at most m (|v| + |v'|) as
 // well.
-std::optional<std::string> conserves_momentum(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> conserves_momentum(const ImpliedState& before, const TracedEvent& event, Real u) {
   if (!event.i) return std::nullopt;
-  const Replay after = after_event(before, event);
+  const ImpliedState after = after_event(before, event);
   Point change = Point::Zero();
   for (int i = 0; i < before.size(); ++i) {
     if (!before.is_fixed(i))
@@ -94,7 +94,7 @@ std::optional<std::string> conserves_momentum(const Replay& before, const Traced
 }
 
 /// ½ Σ m (|v' − V|² − |v − V|²), as differences, beside which no energy of others is large.
-Real kinetic_change(const Replay& before, const Replay& after) {
+Real kinetic_change(const ImpliedState& before, const ImpliedState& after) {
   Real change = 0;
   for (int i = 0; i < before.size(); ++i) {
     if (before.is_fixed(i)) continue;
@@ -105,7 +105,7 @@ Real kinetic_change(const Replay& before, const Replay& after) {
 }
 
 /// |Δp_AB|²/2μ that a load stores, or a restitution gives back.
-Real stored_change(const Replay& before, const TracedEvent& event) {
+Real stored_change(const ImpliedState& before, const TracedEvent& event) {
   if (!event.is_load() && event.kind != "restitute") return 0;
   const Real mu = collided(before, event).mu;
   if (event.is_load()) return event.dp_stored.value_or(Point::Zero()).squaredNorm() / mu / 2;
@@ -113,9 +113,9 @@ Real stored_change(const Replay& before, const TracedEvent& event) {
 }
 
 // docs/ledger.md derives less than 40 u m s max(s, s_V); it uses 64.
-std::optional<std::string> accounts_for_energy(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> accounts_for_energy(const ImpliedState& before, const TracedEvent& event, Real u) {
   if (!event.i) return std::nullopt;
-  const Replay after = after_event(before, event);
+  const ImpliedState after = after_event(before, event);
   Real expected = 0;
   if (event.kind == "scheduled_impulse") {
     const int i = before.index_of(*event.i);
@@ -133,8 +133,8 @@ std::optional<std::string> accounts_for_energy(const Replay& before, const Trace
 
 /// Velocities after an impulse or a load, by eqs. (3) and (6): 2u of |v| + |v'|; 6u for (6). Directed
 /// rounding changes the lighter body, of equal masses either.
-std::optional<std::string> moves_bodies(const Replay& before, const TracedEvent& event, const Collided& c,
-                                        Real u) {
+std::optional<std::string> moves_bodies(const ImpliedState& before, const TracedEvent& event,
+                                        const Collided& c, Real u) {
   const bool load = event.is_load();
   const Point common = load_velocity(c);
   const Real directed = directed_change(before, event, u);
@@ -159,7 +159,7 @@ std::optional<std::string> moves_bodies(const Replay& before, const TracedEvent&
   return std::nullopt;
 }
 
-std::optional<std::string> responds(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> responds(const ImpliedState& before, const TracedEvent& event, Real u) {
   if (!event.is_collision()) return std::nullopt;
   const Collided c = collided(before, event);
   const Point dp = event.dp.value();
@@ -174,7 +174,7 @@ std::optional<std::string> responds(const Replay& before, const TracedEvent& eve
   return wrong_impulse(before, c, event, u);
 }
 
-using Judge = std::optional<std::string> (*)(const Replay&, const TracedEvent&, Real);
+using Judge = std::optional<std::string> (*)(const ImpliedState&, const TracedEvent&, Real);
 
 RunLaw law(int number, std::string name, std::string sentence, std::string page, Judge judge) {
   return {number,
@@ -184,9 +184,10 @@ RunLaw law(int number, std::string name, std::string sentence, std::string page,
           of({}),
           [judge](const Scene& scene, Simulator& simulator) {
             const Real u = simulator.roundoff();
-            return RunVerdict::of(first_fault(
-                scene, simulator,
-                [&](const Replay& before, const TracedEvent& event) { return judge(before, event, u); }));
+            return RunVerdict::of(
+                first_fault(scene, simulator, [&](const ImpliedState& before, const TracedEvent& event) {
+                  return judge(before, event, u);
+                }));
           }};
 }
 

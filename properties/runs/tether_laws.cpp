@@ -8,7 +8,7 @@
 namespace tps::properties::runs {
 namespace {
 
-bool has_room(const Scene& scene, const Replay& replay, int i) {
+bool has_room(const Scene& scene, const ImpliedState& replay, int i) {
   const auto& capacity =
       scene.species[static_cast<std::size_t>(scene.particles[static_cast<std::size_t>(i)].species)]
           .max_tethers;
@@ -16,7 +16,8 @@ bool has_room(const Scene& scene, const Replay& replay, int i) {
 }
 
 /// Whether a rebound draws and forms a tether, by semantics §3.
-std::optional<std::string> forms_wrongly(const Scene& scene, const Replay& before, const TracedEvent& event) {
+std::optional<std::string> forms_wrongly(const Scene& scene, const ImpliedState& before,
+                                         const TracedEvent& event) {
   const int i = before.index_of(*event.i), j = before.index_of(*event.j);
   const PairLaw* law = before.law(i, j);
   using When = FormRule::When;
@@ -32,7 +33,7 @@ std::optional<std::string> forms_wrongly(const Scene& scene, const Replay& befor
   return std::nullopt;
 }
 
-std::optional<std::string> breaks_wrongly(const Replay& before, const TracedEvent& event, Real u) {
+std::optional<std::string> breaks_wrongly(const ImpliedState& before, const TracedEvent& event, Real u) {
   const Collided c = collided(before, event);
   const PairLaw* law = before.law(c.i, c.j);
   if (law == nullptr || !law->tethering) return "a pull of a pair without tethering";
@@ -60,22 +61,23 @@ std::optional<std::string> breaks_wrongly(const Replay& before, const TracedEven
 
 RunVerdict follows_rules(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        if (event.kind == "rebound") return forms_wrongly(scene, before, event);
-        if (event.kind == "retract" || event.kind == "revolve" || event.kind == "break")
-          return breaks_wrongly(before, event, u);
-        return event.tether.empty() && !event.draw
-                   ? std::nullopt
-                   : std::optional<std::string>("a tether changes without a collision");
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    if (event.kind == "rebound") return forms_wrongly(scene, before, event);
+                    if (event.kind == "retract" || event.kind == "revolve" || event.kind == "break")
+                      return breaks_wrongly(before, event, u);
+                    return event.tether.empty() && !event.draw
+                               ? std::nullopt
+                               : std::optional<std::string>("a tether changes without a collision");
+                  }));
 }
 
 /// Two draws agree by chance once in 2^53.
 RunVerdict draws_anew(const Scene& scene, Simulator& simulator) {
   std::set<Real> drawn;
   return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay&, const TracedEvent& event) -> std::optional<std::string> {
+      scene, simulator, [&](const ImpliedState&, const TracedEvent& event) -> std::optional<std::string> {
         if (!event.draw) return std::nullopt;
         if (*event.draw < 0 || *event.draw >= 1) return "a draw outside [0, 1)";
         return drawn.insert(*event.draw).second ? std::nullopt

@@ -11,7 +11,7 @@
 
 namespace tps::properties::runs {
 
-inline Real radius_of(const Scene& scene, const Replay& replay, int i) {
+inline Real radius_of(const Scene& scene, const ImpliedState& replay, int i) {
   return replay.stored(scene.species[at(scene.particles[at(i)].species)].radius);
 }
 
@@ -26,7 +26,7 @@ inline Real slack_between_walls(const Scene& scene, Real u) {
 
 /// A particle at a wall that is `gap` from touching along the unit vector n, from the wall to the particle,
 /// which may be turned by `turn` through the ulps of its places.
-inline std::optional<std::string> rebounds_wrongly_at(const Scene& scene, const Replay& before,
+inline std::optional<std::string> rebounds_wrongly_at(const Scene& scene, const ImpliedState& before,
                                                       const TracedEvent& event, const Point& n, Real gap,
                                                       Real turn, Real u) {
   const int i = before.index_of(*event.i);

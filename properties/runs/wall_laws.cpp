@@ -34,7 +34,8 @@ Real least_gap(const Scene& scene, const Point& u, Real radius) {
 }
 
 /// A particle's flight up to t: at both ends, and where it is nearest to the post.
-std::optional<std::string> leaves_walls(const Scene& scene, const Replay& before, const Instant& t, Real u) {
+std::optional<std::string> leaves_walls(const Scene& scene, const ImpliedState& before, const Instant& t,
+                                        Real u) {
   for (int i = 0; i < before.size(); ++i) {
     const Flight& f = before.flight(i);
     const Real dt = elapsed(f.clock, t);
@@ -53,7 +54,7 @@ std::optional<std::string> leaves_walls(const Scene& scene, const Replay& before
 
 /// Eq. (4) with an infinite mass at rest. The axis of a face is exact, that of the post turns by the ulps of
 /// its places.
-std::optional<std::string> rebounds_wrongly(const Scene& scene, const Replay& before,
+std::optional<std::string> rebounds_wrongly(const Scene& scene, const ImpliedState& before,
                                             const TracedEvent& event, Real u) {
   const int i = before.index_of(*event.i);
   const TracedState& pre = event.pre.at(*event.i);
@@ -75,11 +76,12 @@ std::optional<std::string> rebounds_wrongly(const Scene& scene, const Replay& be
 
 RunVerdict stays_within(const Scene& scene, Simulator& simulator) {
   const Real u = simulator.roundoff();
-  return RunVerdict::of(first_fault(
-      scene, simulator, [&](const Replay& before, const TracedEvent& event) -> std::optional<std::string> {
-        if (auto fault = leaves_walls(scene, before, event.t, u)) return fault;
-        return event.kind == "wall" ? rebounds_wrongly(scene, before, event, u) : std::nullopt;
-      }));
+  return RunVerdict::of(
+      first_fault(scene, simulator,
+                  [&](const ImpliedState& before, const TracedEvent& event) -> std::optional<std::string> {
+                    if (auto fault = leaves_walls(scene, before, event.t, u)) return fault;
+                    return event.kind == "wall" ? rebounds_wrongly(scene, before, event, u) : std::nullopt;
+                  }));
 }
 
 }  // namespace

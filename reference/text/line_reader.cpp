@@ -28,6 +28,7 @@ bool wait_for_input(int descriptor, const std::function<bool()>& stop) {
   sigemptyset(&quiet);
   sigaddset(&quiet, SIGINT);
   sigaddset(&quiet, SIGTERM);
+  sigaddset(&quiet, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &quiet, &before);
   bool stopped = stop();
   while (!stopped) {

@@ -24,7 +24,7 @@ using properties::runs::SmallScene;
 
 json asked(const Scene& scene) {
   const std::string in = "{\"scene\":" + write_scene(scene) + "}";
-  return json::parse(answer("next_event", parse_json(in, "it").root, "it", ""));
+  return json::parse(answer_text("next_event", parse_json(in, "it").root, "it", ""));
 }
 
 double largest_speed(const NextEvent& event) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "reference/run/run.hpp"
 #include "reference/text/nearest_name.hpp"
+#include "reference/text/plain_json.hpp"
 #include "verify/certified/why.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/verbs.hpp"
@@ -66,14 +68,10 @@ void print_report(const EvalArguments& a, std::string_view what, std::string_vie
                         : eval::report_text(fmt::format("{}: {}; {}", a.op, what, precision), report));
 }
 
-/// The result has nested lists: in JSON as the protocol has it, as text a line for each value.
-void print_compound(const EvalArguments& a, const protocol::Compound& operation, const std::string& out) {
-  if (a.format == "json") {
-    write_result(
-        "-", fmt::format("{{\"op\":\"{}\",\"scalar\":\"{}\",\"out\":{}}}\n", a.op, operation.precision, out));
-  } else {
-    print_report(a, operation.what, operation.precision, protocol::report_of(out));
-  }
+/// In JSON as the protocol has it.
+void print_json(const EvalArguments& a, const protocol::Compound& operation, const std::string& out) {
+  write_result(
+      "-", fmt::format("{{\"op\":\"{}\",\"scalar\":\"{}\",\"out\":{}}}\n", a.op, operation.precision, out));
 }
 
 /// order, group, next_event.
@@ -94,9 +92,13 @@ void eval_compound(const EvalArguments& a, const protocol::Compound& operation) 
       return print_report(a, operation.what, operation.precision,
                           certified::why_order(input.first, input.second));
     }
-    return print_compound(a, operation, protocol::answer_order(input));
+    const auto order = protocol::answer_order(input);
+    return a.format == "json"
+               ? print_json(a, operation, json_text(order))
+               : print_report(a, operation.what, operation.precision, protocol::report_of(order));
   }
-  print_compound(a, operation, protocol::answer_file(operation, a.in));
+  if (a.format == "json") return print_json(a, operation, protocol::answer_file(operation, a.in));
+  print_report(a, operation.what, operation.precision, protocol::report_file(operation, a.in));
 }
 
 eval::Report evaluated(const EvalArguments& a, const eval::Operation& operation, const eval::Input& input) {

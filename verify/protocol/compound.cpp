@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "reference/text/file_kind.hpp"
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
-#include "reference/text/json_number.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/text/text_file.hpp"
+#include "reference/text/typed_number.hpp"
 #include "verify/protocol/answer.hpp"
 
 namespace tps::protocol {
@@ -34,39 +36,41 @@ auto with_input(std::string_view operation, const std::string& path, Use use) {
   return use(*in, Place{source, "/in"});
 }
 
-bool is_vector(const JsonValue::Array& list) {
-  return !list.empty() &&
-         std::all_of(list.begin(), list.end(), [](const JsonValue& x) { return json_number(x).has_value(); });
+using Json = nlohmann::ordered_json;
+
+/// Numbers of answers are strings; ids are numbers of JSON.
+std::optional<double> number_of(const Json& value) {
+  return value.is_string() ? typed_number(value.get_ref<const std::string&>()).value : std::nullopt;
 }
 
-eval::Number spelled(const JsonValue& value) {
-  const double x = *json_number(value);
+bool is_vector(const Json& list) {
+  return !list.empty() &&
+         std::all_of(list.begin(), list.end(), [](const Json& x) { return number_of(x).has_value(); });
+}
+
+eval::Number spelled(double x) {
   return {fmt::format("{}", x), to_hex(x)};
 }
 
-void flatten(const JsonValue& value, const std::string& name, eval::Report& report) {
-  eval::Quantity quantity{name, name, "", {}, false, ""};
-  if (const JsonValue::Object* object = value.object()) {
-    for (const JsonMember& member : *object)
-      flatten(member.value, name.empty() ? member.key : name + "." + member.key, report);
+void flatten(const Json& value, const std::string& name, eval::Report& report) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      flatten(member, name.empty() ? key : name + "." + key, report);
     return;
   }
-  if (const JsonValue::Array* list = value.array(); list != nullptr && !is_vector(*list)) {
-    for (std::size_t n = 0; n < list->size(); ++n)
-      flatten((*list)[n], fmt::format("{}[{}]", name, n), report);
+  if (value.is_array() && !is_vector(value)) {
+    for (std::size_t n = 0; n < value.size(); ++n) flatten(value[n], fmt::format("{}[{}]", name, n), report);
     return;
   }
-  if (const JsonValue::Array* vector = value.array()) {
-    for (const JsonValue& component : *vector) quantity.numbers.push_back(spelled(component));
-    quantity.is_vector = true;
-  } else if (value.number() != nullptr) {  // an id
-    quantity.word = fmt::format("{}", value.number()->value);
-  } else if (json_number(value)) {
-    quantity.numbers.push_back(spelled(value));
-  } else if (value.string() != nullptr) {
-    quantity.word = *value.string();
-  } else if (value.boolean() != nullptr) {
-    quantity.word = *value.boolean() ? "true" : "false";
+  eval::Quantity quantity{name, name, "", {}, value.is_array(), ""};
+  if (value.is_array()) {
+    for (const Json& component : value) quantity.numbers.push_back(spelled(*number_of(component)));
+  } else if (const std::optional<double> number = number_of(value)) {
+    quantity.numbers.push_back(spelled(*number));
+  } else if (value.is_string()) {
+    quantity.word = value.get<std::string>();
+  } else if (!value.is_null()) {  // an id, a flag
+    quantity.word = json_text(value);
   }
   report.results.push_back(quantity);
 }
@@ -98,7 +102,15 @@ const Compound* find_compound(std::string_view name) {
 
 std::string answer_file(const Compound& operation, const std::string& path) {
   return with_input(operation.name, path, [&](const JsonValue& in, const Place& place) {
-    return answer(operation.name, in, place.source, place.pointer);
+    return answer_text(operation.name, in, place.source, place.pointer);
+  });
+}
+
+eval::Report report_file(const Compound& operation, const std::string& path) {
+  return with_input(operation.name, path, [&](const JsonValue& in, const Place& place) {
+    return report_of(operation.name == kSimulate
+                         ? parse_plain_json(answer_text(kSimulate, in, place.source, place.pointer), "trace")
+                         : answer(operation.name, in, place.source, place.pointer));
   });
 }
 
@@ -107,9 +119,9 @@ OrderInput read_order_file(const std::string& path) {
                     [](const JsonValue& in, const Place& place) { return read_order(in, place); });
 }
 
-eval::Report report_of(const std::string& out) {
+eval::Report report_of(const Json& out) {
   eval::Report report;
-  flatten(parse_json(out, "result").root, "", report);
+  flatten(out, "", report);
   return report;
 }
 

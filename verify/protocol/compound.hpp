@@ -2,6 +2,7 @@
 // simulate.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,11 +30,13 @@ const Compound* find_compound(std::string_view name);
 /// The result, as the text of a JSON object, on the content of a file: the object "in", or a whole request
 /// that has it; "-" is standard input. Throws InputError.
 std::string answer_file(const Compound& operation, const std::string& path);
+/// The same as report_of() has it.
+eval::Report report_file(const Compound& operation, const std::string& path);
 
 /// The input of an order from such a file. Throws InputError.
 OrderInput read_order_file(const std::string& path);
 
 /// A result as a report for people: a line for each number, vector and word in it.
-eval::Report report_of(const std::string& out);
+eval::Report report_of(const nlohmann::ordered_json& out);
 
 }  // namespace tps::protocol

@@ -7,21 +7,28 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "reference/process/missing_library.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/json_document.hpp"
 #include "reference/text/nearest_name.hpp"
+#include "reference/text/plain_json.hpp"
 #include "reference/version.hpp"
 #include "verify/protocol/answer.hpp"
-#include "verify/protocol/json_text.hpp"
 
 namespace tps::protocol {
 namespace {
 
 constexpr std::size_t kMostProblemsShown = 10;
 const std::string kSource = "request";
+
+/// Any text as a JSON string; bytes that are not UTF-8 become U+FFFD.
+std::string as_json(std::string_view text) {
+  return json_text(nlohmann::ordered_json(text));
+}
 
 /// Why there is no answer, in a word for programs and a sentence for people.
 struct Failure {
@@ -45,16 +52,16 @@ std::string message_of(const InputError& error) {
 
 Reply failed(const std::string& seq, const Failure& failure) {
   return {
-      fmt::format(R"({{"seq":{},"error":"{}","message":{}}})", seq, failure.kind, quoted(failure.message))};
+      fmt::format(R"({{"seq":{},"error":"{}","message":{}}})", seq, failure.kind, as_json(failure.message))};
 }
 
 Reply hello() {
   std::string operations;
   for (const std::string& name : operation_names())
-    operations.append(operations.empty() ? "" : ",").append(quoted(name));
+    operations.append(operations.empty() ? "" : ",").append(as_json(name));
   return {fmt::format(
       R"({{"name":"tps","version":{},"semantics":{},"ops":[{}],"precision":"correctly rounded double, where an answer is not flagged unsettled or simulated"}})",
-      quoted(version()), kSemanticsVersion, operations)};
+      as_json(version()), kSemanticsVersion, operations)};
 }
 
 /// The text of an integer that every JSON reader holds exactly.
@@ -95,11 +102,12 @@ Reply answered(const std::string& seq, const JsonValue& request) {
   const std::vector<std::string>& known = operation_names();
   if (std::find(known.begin(), known.end(), op) == known.end()) {
     return {fmt::format(R"({{"seq":{},"skip":"unknown_op","message":{}}})", seq,
-                        quoted(fmt::format("unknown operation {}{} There are {}", op, did_you_mean(op, known),
-                                           fmt::join(known, ", "))))};
+                        as_json(fmt::format("unknown operation {}{} There are {}", op,
+                                            did_you_mean(op, known), fmt::join(known, ", "))))};
   }
   try {
-    return {fmt::format(R"({{"seq":{},"out":{}}})", seq, answer(op, *request.find("in"), kSource, "/in"))};
+    return {
+        fmt::format(R"({{"seq":{},"out":{}}})", seq, answer_text(op, *request.find("in"), kSource, "/in"))};
   } catch (const InputError& error) {
     return failed(seq, {"bad_input", message_of(error)});
   }

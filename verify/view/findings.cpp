@@ -1,19 +1,20 @@
 #include "verify/view/findings.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "reference/text/json_document.hpp"
+#include "reference/text/number_text.hpp"
 #include "verify/protocol/answer.hpp"
 
 namespace tps::view {
 namespace {
 
-Coordinates vector_of(const JsonValue& value) {
+Coordinates vector_of(const nlohmann::ordered_json& value) {
   Coordinates v{};
   std::size_t k = 0;
-  for (const JsonValue& component : *value.array())
-    v.at(k++) = std::strtod(component.string()->c_str(), nullptr);
+  for (const auto& component : value)
+    v.at(k++) = parse_hex_float(component.get_ref<const std::string&>()).value;
   return v;
 }
 
@@ -41,9 +42,9 @@ std::vector<Expected> expected_of(const check::Finding& finding, const Scene& sc
   for (const Answered& drawn : kDrawn) {
     if (finding.replay->op != drawn.op || particle < 0) continue;
     const JsonDocument in = parse_json(finding.replay->in, source);
-    const JsonDocument out = parse_json(protocol::answer(drawn.op, in.root, source, ""), source);
-    if (const JsonValue* value = out.root.find(drawn.key))
-      expected.push_back({particle, drawn.of, vector_of(*value)});
+    const nlohmann::ordered_json out = protocol::answer(drawn.op, in.root, source, "");
+    if (out.contains(drawn.key))
+      expected.push_back({particle, drawn.of, vector_of(out.at(std::string(drawn.key)))});
   }
   return expected;
 }

@@ -83,11 +83,13 @@ void judge_wall_contact(const Context<Number>& c, const EventLine<Number>& event
     const Due<W> expected = due(flight);
     f.particles = {c.model.id(flight.i)};
     f.equation = "(2)";
-    f.message = fmt::format(
-        "{} rebound after {}; on straight lines they {}", wall_name(c, flight), shown(dt),
-        expected.must_be_none
-            ? "never touch"
-            : fmt::format("touch between {} and {}", shown(expected.earliest), shown(expected.latest)));
+    const bool early = dt < expected.earliest;
+    const auto [found, bound] = told_apart(dt, early ? expected.earliest : expected.latest);
+    f.message = fmt::format("{} rebound after {}; on straight lines they {}", wall_name(c, flight),
+                            expected.must_be_none ? shown(dt) : found,
+                            expected.must_be_none
+                                ? "never touch"
+                                : fmt::format("touch not {} than {}", early ? "earlier" : "later", bound));
   };
   if constexpr (std::is_same_v<Number, double>) {
     if (c.certified()) {

@@ -40,10 +40,10 @@ struct LoadedBody {
   std::vector<LoadedNode> nodes;
 };
 
-class Replay {
+class ImpliedState {
  public:
   /// `scalar` as in a trace's header: masses and limits are the scene's, rounded to it.
-  Replay(const Scene& scene, const std::string& scalar);
+  ImpliedState(const Scene& scene, const std::string& scalar);
 
   /// Takes over what an event says. Throws std::runtime_error where it names particles that the scene has
   /// not.

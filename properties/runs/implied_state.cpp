@@ -1,4 +1,4 @@
-#include "properties/runs/replay.hpp"
+#include "properties/runs/implied_state.hpp"
 #include "reference/scene/pair_law.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Real reduced(Real mass_i, Real mass_j) {
   return mass_i * mass_j / (mass_i + mass_j);
 }
 
-Replay::Replay(const Scene& scene, const std::string& scalar)
+ImpliedState::ImpliedState(const Scene& scene, const std::string& scalar)
     : scene_(&scene),
       in_float_(scalar == "float"),
       laws_(scene.pairs),
@@ -46,15 +46,15 @@ Replay::Replay(const Scene& scene, const std::string& scalar)
   for (const Tether& t : scene.tethers) tethers_.insert(ordered(t.i, t.j));
 }
 
-Real Replay::stored(double x) const {
+Real ImpliedState::stored(double x) const {
   return in_float_ ? Real(static_cast<float>(x)) : Real(x);
 }
 
-Real Replay::stored_angle(double degrees) const {
+Real ImpliedState::stored_angle(double degrees) const {
   return stored(degrees) < 90 ? stored(degrees) : Real(90) - Real(std::ldexp(1.0, -17));
 }
 
-int Replay::index_of(std::int32_t id) const {
+int ImpliedState::index_of(std::int32_t id) const {
   const auto& particles = scene_->particles;
   const auto found = std::lower_bound(particles.begin(), particles.end(), id,
                                       [](const Particle& p, std::int32_t wanted) { return p.id < wanted; });
@@ -64,38 +64,38 @@ int Replay::index_of(std::int32_t id) const {
   return static_cast<int>(found - particles.begin());
 }
 
-Point Replay::position(int i, const Instant& t) const {
+Point ImpliedState::position(int i, const Instant& t) const {
   const Flight& f = flight(i);
   return f.position + f.velocity * elapsed(f.clock, t);
 }
 
-bool Replay::is_fixed(int i) const {
+bool ImpliedState::is_fixed(int i) const {
   return std::isinf(mass(i));
 }
 
-const PairLaw* Replay::law(int i, int j) const {
+const PairLaw* ImpliedState::law(int i, int j) const {
   if (is_fixed(i) && is_fixed(j)) return nullptr;
   return pair_law(laws_, scene_->particles[at(i)].species, scene_->particles[at(j)].species);
 }
 
-bool Replay::tethered(int i, int j) const {
+bool ImpliedState::tethered(int i, int j) const {
   const PairLaw* pair = law(i, j);
   if (pair == nullptr || !pair->tethering) return false;
   return pair->tethering->form.when == FormRule::When::permanent || tethers_.contains(ordered(i, j));
 }
 
-int Replay::tether_count(int i) const {
+int ImpliedState::tether_count(int i) const {
   return static_cast<int>(std::count_if(tethers_.begin(), tethers_.end(),
                                         [i](const auto& t) { return t.first == i || t.second == i; }));
 }
 
-const LoadedBody* Replay::body(int i) const {
+const LoadedBody* ImpliedState::body(int i) const {
   const auto found = std::find_if(bodies_.begin(), bodies_.end(),
                                   [i](const LoadedBody& b) { return b.members.contains(i); });
   return found == bodies_.end() ? nullptr : &*found;
 }
 
-const LoadedNode* Replay::node(int i, int j) const {
+const LoadedNode* ImpliedState::node(int i, int j) const {
   for (const LoadedBody& group : bodies_) {
     for (const LoadedNode& n : group.nodes) {
       if (n.i == i && n.j == j) return &n;
@@ -104,7 +104,7 @@ const LoadedNode* Replay::node(int i, int j) const {
   return nullptr;
 }
 
-Real Replay::body_mass(int i) const {
+Real ImpliedState::body_mass(int i) const {
   const LoadedBody* group = body(i);
   if (group == nullptr) return mass(i);
   if (group->ground >= 0) return kInfinite;
@@ -113,17 +113,17 @@ Real Replay::body_mass(int i) const {
   return sum;
 }
 
-std::set<int> Replay::with(int i) const {
+std::set<int> ImpliedState::with(int i) const {
   const LoadedBody* group = body(i);
   return group != nullptr ? group->members : std::set<int>{i};
 }
 
-bool Replay::together(int i, int j) const {
+bool ImpliedState::together(int i, int j) const {
   const LoadedBody* group = body(i);
   return group != nullptr && group->members.contains(j);
 }
 
-void Replay::apply(const TracedEvent& event) {
+void ImpliedState::apply(const TracedEvent& event) {
   if (event.phase >= 0) return change_phase(event);
   const int i = index_of(event.i.value());
   const int j = event.j ? index_of(*event.j) : i;
@@ -136,7 +136,7 @@ void Replay::apply(const TracedEvent& event) {
   }
 }
 
-void Replay::load(const TracedEvent& event, int i, int j) {
+void ImpliedState::load(const TracedEvent& event, int i, int j) {
   const auto particles_of = [this](int p) { return is_fixed(p) ? std::set<int>{} : with(p); };
   LoadedBody united;
   const LoadedNode node{i,
@@ -162,7 +162,7 @@ void Replay::load(const TracedEvent& event, int i, int j) {
 }
 
 /// The members of the two bodies other than i and j take over their velocities, where they fly to.
-void Replay::part(const TracedEvent& event, int i, int j) {
+void ImpliedState::part(const TracedEvent& event, int i, int j) {
   for (LoadedBody& group : bodies_) {
     const auto node = std::find_if(group.nodes.begin(), group.nodes.end(),
                                    [&](const LoadedNode& n) { return n.i == i && n.j == j; });
@@ -178,7 +178,7 @@ void Replay::part(const TracedEvent& event, int i, int j) {
   std::erase_if(bodies_, [](const LoadedBody& b) { return b.nodes.empty(); });
 }
 
-void Replay::change_phase(const TracedEvent& event) {
+void ImpliedState::change_phase(const TracedEvent& event) {
   active_phases_.at(at(event.phase)) = event.kind == "phase_begin";
   for (std::size_t n = 0; n < laws_.size(); ++n) {
     PairLaw& pair = laws_[n];
