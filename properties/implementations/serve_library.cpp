@@ -14,6 +14,7 @@
 
 #include "properties/c_abi/tps_implementation.h"
 #include "properties/case.hpp"
+#include "properties/implementation.hpp"
 #include "properties/implementations/library_table.hpp"
 #include "reference/equations/timing_verdict.hpp"
 #include "reference/text/hexfloat.hpp"

@@ -10,6 +10,7 @@
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
 #include "verify/eval/evaluate.hpp"
+#include "verify/eval/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
