@@ -1,7 +1,6 @@
 // tps properties
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>

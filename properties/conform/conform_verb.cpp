@@ -6,7 +6,6 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "properties/conform/ask_all.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"

@@ -1,6 +1,5 @@
 #include "properties/generators/groups.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>

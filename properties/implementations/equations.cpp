@@ -1,7 +1,5 @@
 #include "properties/implementations/equations.hpp"
 
-#include <utility>
-
 #include "properties/implementations/ask_equation.hpp"
 #include "reference/run/grouped_bodies.hpp"
 

@@ -1,7 +1,5 @@
 #include "properties/implementations/reference.hpp"
 
-#include <algorithm>
-
 #include "properties/implementations/equations.hpp"
 #include "properties/implementations/read_reply.hpp"
 #include "verify/protocol/conversation.hpp"

@@ -1,5 +1,4 @@
 // The time of the clock s under drag, docs/effects.md.
-#include <algorithm>
 
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"

@@ -1,6 +1,4 @@
 // Eq. (2): what does not matter to a timing query (docs/eq2.md).
-#include <algorithm>
-#include <numeric>
 
 #include "properties/generators/cases.hpp"
 #include "properties/generators/numbers.hpp"

@@ -1,6 +1,5 @@
 // Runs around a box that particles are outside of.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

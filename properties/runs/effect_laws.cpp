@@ -1,9 +1,7 @@
 // Runs with effects of the outlook: drag, and friction with spins.
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "properties/runs/laws.hpp"
 #include "properties/runs/outlook_scenes.hpp"

@@ -1,6 +1,5 @@
 #include "properties/runs/hazards.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "properties/runs/implied_state.hpp"

@@ -1,7 +1,6 @@
 #include "properties/runs/laws.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 
 #include "reference/text/input_error.hpp"

@@ -1,7 +1,6 @@
 // What a run does not depend on: units, orientation, the clock's start, strangers, names.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "properties/runs/laws.hpp"
 

@@ -1,8 +1,6 @@
 // Runs between walls.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "properties/runs/laws.hpp"
 #include "properties/runs/outlook_scenes.hpp"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "reference/run/resume.hpp"
 #include "reference/run/run_scalar.hpp"

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "reference/trace/exact_text.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 

@@ -1,6 +1,5 @@
 #include "reference/trace/own_lists.hpp"
 
-#include <array>
 #include <cstdint>
 #include <utility>
 

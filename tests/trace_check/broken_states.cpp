@@ -1,6 +1,5 @@
 // Full states that are not what the events made.
 #include <algorithm>
-#include <cmath>
 
 #include "tests/trace_check/edits.hpp"
 

@@ -1,6 +1,5 @@
 // Times that are not those of the events, and the order of lines.
 #include <algorithm>
-#include <cmath>
 
 #include "tests/trace_check/edits.hpp"
 

@@ -1,7 +1,5 @@
 #include "verify/cli/start_notice.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 
 #include "reference/process/without_signals.hpp"

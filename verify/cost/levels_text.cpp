@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "verify/cost/json_at.hpp"

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 
 #include "reference/equations/drag_time.hpp"
 #include "reference/equations/eq1_distance.hpp"

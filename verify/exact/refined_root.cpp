@@ -1,7 +1,5 @@
 #include "verify/exact/refined_root.hpp"
 
-#include <cmath>
-
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/newton_step.hpp"
 

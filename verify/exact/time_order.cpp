@@ -1,7 +1,6 @@
 #include "verify/exact/time_order.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "verify/exact/double_time.hpp"

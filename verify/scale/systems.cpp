@@ -1,6 +1,5 @@
 #include "verify/scale/systems.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,5 +1,4 @@
 // tps check
-#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>

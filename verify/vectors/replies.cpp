@@ -13,7 +13,6 @@
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
 #include "reference/text/text_file.hpp"
-#include "verify/protocol/answer.hpp"
 #include "verify/vectors/read_vectors.hpp"
 
 namespace tps::cli {

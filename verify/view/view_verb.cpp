@@ -1,7 +1,6 @@
 // tps view
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <memory>

@@ -7,7 +7,6 @@
 #include <benchmark/benchmark.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <functional>
 #include <vector>
 
 #include "verify/exact/benchmark/literal.hpp"
