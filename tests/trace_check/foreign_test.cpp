@@ -237,6 +237,24 @@ TEST(Draws, AreThoseOfTheSeedUnlessTrusted) {
   EXPECT_TRUE(checked(text_of(trace)).conforming());
 }
 
+/// Eq. (5) says how fast a pair is after a revolution, whatever its axis; a trace without Δp whose clock is
+/// late leaves the axis of a pull that is nearly head-on open, and its speed passed with it.
+TEST(ForeignTraces, WhoseRevolutionsHaveAnotherSpeedAreFound) {
+  for (const char* name : {"revolution_at_a_tenth_of_its_speed", "revolution_of_the_speed_across_grouped"}) {
+    const CheckReport report = checked_case(name);
+    EXPECT_FALSE(report.conforming()) << name;
+    EXPECT_TRUE(says(report, "energy")) << name << '\n' << report_text(report);
+  }
+}
+
+/// m v' − m v for m (v' − v), and v' as v + Δp/m is stored.
+TEST(ForeignTraces, OfAThermostatRoundTheirImpulseInTheirWay) {
+  for (const char* name : {"thermostat_dp_of_products", "thermostat_dp_of_stored_velocities"}) {
+    const CheckReport report = checked_case(name);
+    EXPECT_TRUE(report.conforming()) << name << '\n' << report_text(report);
+  }
+}
+
 TEST(HonestRuns, ThatWereRefusedOnceConform) {
   const auto conforms = [](const char* name, const char* scalar, Timing timing,
                            std::uint64_t events = 24'000) {

@@ -56,9 +56,11 @@ void Checker<Number>::follow_load(const EventLine<Number>& event) {
   const Vec<W> added = bodies_->mu * bodies_->v;
   node->dp_exact = expected_.response.dp - added;
   if (!node->recorded) {
-    node->dp_error = W(expected_.roundings) * expected_.response.error +
-                     W(6) * model_.precision.u * (length(expected_.response.dp) + length(added)) +
+    const W of_eq7 = W(6) * model_.precision.u * (length(expected_.response.dp) + length(added)) +
                      bodies_->mu * bodies_->drift();
+    node->dp_error = W(expected_.roundings) * expected_.response.error + of_eq7;
+    node->speed_error = W(expected_.roundings) * expected_.response.speed_error + of_eq7;
+    node->energy_error = expected_.response.lost_by_turning;
   }
   const W zero(0);
   const W joined = bodies_->inverse_i == zero || bodies_->inverse_j == zero

@@ -25,6 +25,9 @@ struct LoadNode {
   Vec<Number> dp;                            ///< Δp_AB on side 0, eq. (7), as recorded
   Vec<Work<Number>> dp_exact;                ///< the same where nothing is recorded
   Work<Number> dp_error{0};                  ///< of that
+  Work<Number> speed_error{
+      0};  ///< of μ |v_AB'| where nothing is recorded: less, where only its direction is open
+  Work<Number> energy_error{0};  ///< beyond that
   bool recorded = true;
   std::array<std::unique_ptr<LoadNode>, 2> below;  ///< the loads that made the sides
 };

@@ -18,17 +18,20 @@ class Thermostat final : public RandomTimes<Number> {
   std::string what() const override { return "thermostat"; }
 
  private:
-  /// m (v' − v), v' drawn: a subtraction and a product.
+  /// m (v' − v), v' drawn: a subtraction and a product, or m v' − m v; with v' as it is drawn, or as v + Δp/m
+  /// is stored: u m (|v| + |v'|) and four of Δp.
   KickImpulse<Number> impulse(const Context<Number>& c, const EventAhead& next) const override {
     using W = Work<Number>;
     const Model<Number>& model = c.model;
     const Particle& particle = model.scene.particles[Model<Number>::at(next.particle)];
     const Vec<W> v = stored_vector(c, maxwell_velocity(model.scene, particle, next.number));
     const W inverse_mass = model.inverse_mass(next.particle);
-    const Vec<W> change = v - widened<W>(model.flight(next.particle).velocity);
+    const Vec<W> before = widened<W>(model.flight(next.particle).velocity);
+    const Vec<W> change = v - before;
     const Vec<W> J = (W(1) / inverse_mass) * change;
     const W drift = model.flight(next.particle).drift;
-    return {J, W(2) * c.u() * largest(J) + drift / inverse_mass + model.precision.smallest};
+    const W rounding = W(4) * largest(J) + (largest(before) + largest(v)) / inverse_mass;
+    return {J, c.u() * rounding + drift / inverse_mass + model.precision.smallest};
   }
 };
 

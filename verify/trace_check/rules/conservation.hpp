@@ -166,10 +166,12 @@ void judge_load_conservation(const Context<Number>& c, const EventLine<Number>& 
   judge_energy(c, balance, who);
 }
 
-/// The parting of two bodies gives back what their load stored.
+/// The parting of two bodies gives back what their load stored: v_AB' of its collision, whose size may be
+/// known where its direction is not.
 template <typename Number>
 void judge_parting_conservation(const Context<Number>& c, const EventLine<Number>& event,
-                                const BodiesNow<Number>& b, const Exchange<Work<Number>>& exchange) {
+                                const BodiesNow<Number>& b, const LoadNode<Number>& node,
+                                const Exchange<Work<Number>>& exchange) {
   using W = Work<Number>;
   const Vec<W>& dp = exchange.dp;
   const W inverse = b.inverse_i + b.inverse_j;
@@ -178,7 +180,8 @@ void judge_parting_conservation(const Context<Number>& c, const EventLine<Number
   balance.directed = exchange.slack;
   detail::add_roundings(c, balance);
   balance.v_after = (b.v_j - b.v_i) - inverse * dp;
-  balance.speed_error = exchange.error;
+  balance.speed_error = node.speed_error;
+  balance.energy_error = node.energy_error;
   balance.taken = W(-dot(dp, dp) * inverse / W(2));
   const auto who = [&] { return c.pair(b.i, b.j); };
   judge_momentum(c, balance, who);

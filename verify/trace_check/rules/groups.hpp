@@ -213,7 +213,7 @@ void judge_restitution(const Context<Number>& c, const EventLine<Number>& event,
   const Exchange<W> exchange = exchange_of(c, event, sides, node.outer, dp, node.dp_error);
   judge_parted(c, event, sides, exchange);
   judge_direction(c, event, node.outer);
-  judge_parting_conservation(c, event, sides, exchange);
+  judge_parting_conservation(c, event, sides, node, exchange);
 }
 
 }  // namespace tps::check

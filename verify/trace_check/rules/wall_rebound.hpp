@@ -127,10 +127,12 @@ Work<Number> slack_at_wall(const Context<Number>& c, const EventLine<Number>& ev
   const W still = largest(b.v_j);
   const W stored = W(3) * c.u() * (after + still + b.inverse_i * largest(dp)) + b.inverse_i * error;
   const W reach = largest(c.model.position(b.i, event.t)) + length(b.r);
-  const W turn = (W(4) * c.u() * reach + b.blur) / b.distance();
-  const W most = (W(54) * c.u() + turn) * W(2) * (largest(b.v_i) + after + W(2) * still);
+  const W of_axis = W(4) * c.u() * reach, roundings = W(54) * c.u();
+  const W turn = (of_axis + b.blur) / b.distance();
+  const W speeds = W(2) * (largest(b.v_i) + after + W(2) * still);
   return b.drift_i + directed_slack(c, b, outer, Vec<W>(b.v - b.inverse_i * dp), W(stored + b.drift_i),
-                                    W(after + still), W(most + b.drift_i))
+                                    W(after + still), W((roundings + turn) * speeds + b.drift_i),
+                                    moved_by_roundings(b, roundings, of_axis, speeds))
                          .of_i;
 }
 
