@@ -247,6 +247,39 @@ TEST(ForeignTraces, WhoseRevolutionsHaveAnotherSpeedAreFound) {
   }
 }
 
+/// Pulls that are nearly head-on, on an early and a late clock, grouped and not: no other speed after them
+/// passes.
+TEST(ForeignTraces, AreHeldToTheSpeedAfterAPullThatIsNearlyHeadOn) {
+  for (const double start : {0., 0x1p40}) {
+    for (const double across : {1e-17, 1e-6, 1e-4, 1e-3}) {
+      for (const bool grouped : {false, true}) {
+        Scene scene = testing::plain_scene();
+        scene.start_time = start;
+        if (grouped) scene.grouping = Grouping{.01};
+        const int anchor = testing::add_species(scene, "anchor", HUGE_VAL, 0);
+        PairLaw& law = testing::tether(scene, 0, anchor, .4, 0, FormRule::When::permanent);
+        law.tethering->c_revolve = .9;
+        law.tethering->theta_revolve_deg = 1;
+        testing::add_particle(scene, anchor, {0, 0, 0});
+        testing::add_particle(scene, 0, {.3, across, 0}, {.7, 0, 0});
+        std::string bytes = as_minimal(trace_bytes(scene, "double", Timing::stable, grouped ? 2 : 1), "hex");
+        const std::string what = fmt::format("start {}, across {}, grouped {}", start, across, grouped);
+        ASSERT_TRUE(checked(bytes).conforming()) << what << '\n' << report_text(checked(bytes));
+        const std::size_t at = bytes.rfind("{\"kind\"");
+        const std::string end = bytes.substr(bytes.find('\n', at));
+        const Json event = Json::parse(bytes.substr(at, bytes.find('\n', at) - at));
+        ASSERT_EQ(event.at("kind"), grouped ? "restitute" : "revolve") << what;
+        for (const double factor : {.001, .1, .5, .9, 1.1, 1.5, 1.9}) {
+          Json lie = event;
+          for (Json& component : lie["post"]["1"]["velocity"]) component = factor * number(component);
+          const CheckReport report = checked(bytes.substr(0, at) + lie.dump() + end);
+          EXPECT_FALSE(report.conforming()) << what << ", times " << factor << '\n' << report_text(report);
+        }
+      }
+    }
+  }
+}
+
 /// m v' − m v for m (v' − v), and v' as v + Δp/m is stored.
 TEST(ForeignTraces, OfAThermostatRoundTheirImpulseInTheirWay) {
   for (const char* name : {"thermostat_dp_of_products", "thermostat_dp_of_stored_velocities"}) {
