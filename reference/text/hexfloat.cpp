@@ -74,7 +74,7 @@ std::optional<HexDigits> split_hex(std::string_view text) {
   constexpr long kLimit = 1L << 20;  // sums are exact: the digits between two exponents are written out
   if (!spelling || std::abs(spelling->exponent) > kLimit) return std::nullopt;
   HexDigits hex{spelling->negative, std::string(spelling->whole),
-                spelling->exponent - 4 * static_cast<long>(spelling->fraction.size())};
+                static_cast<long>(spelling->exponent) - 4 * static_cast<long>(spelling->fraction.size())};
   hex.digits.append(spelling->fraction);
   for (char& digit : hex.digits) digit = "0123456789abcdef"[hex_digit(digit)];
   trim(hex);
