@@ -81,7 +81,7 @@ Quadratic<W> quadratic_of(const RelativeFlight<W>& flight, const W& L, const W& 
 /// farther.
 template <typename W>
 W farthest_beyond(const Quadratic<W>& q, const W& u, const W& scale, const W& dt) {
-  return q.q_error + W(2) * q.L * scale * u * (W(6) * length(q.r) + W(8) * length(q.v) * dt);
+  return q.q_error + W(2) * q.L * (scale * W(6) * u * length(q.r) + q.t_error * length(q.v) * dt);
 }
 
 /// Times from the start of the pair's flight.
