@@ -9,10 +9,12 @@
 
 #include "properties/format.hpp"
 #include "reference/text/number_text.hpp"
+#include "verify/operations/catalogue.hpp"
 
 namespace tps::properties {
 
 using Json = nlohmann::ordered_json;
+using operations::Op;
 
 /// A number as the protocol spells it: a hexadecimal float that a double has, or "inf".
 inline double number_of(const Json& spelled) {
@@ -22,7 +24,7 @@ inline double number_of(const Json& spelled) {
 
 /// One operation on given numbers, as the protocol sends it: doubles as hexadecimal floats.
 struct Question {
-  std::string op;
+  Op op;
   Json in;
 };
 

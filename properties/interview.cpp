@@ -17,8 +17,8 @@ namespace tps::properties {
 namespace {
 
 /// An answer that does not have what the operation's answers have.
-[[noreturn]] void no_answer(const std::string& op, const std::string& what) {
-  throw Unanswered{{Outcome::Kind::failed, fmt::format("the answer to {} {}", op, what)}};
+[[noreturn]] void no_answer(Op op, const std::string& what) {
+  throw Unanswered{{Outcome::Kind::failed, fmt::format("the answer to {} {}", operations::name(op), what)}};
 }
 
 std::optional<Wide> wide_from(const HexDigits& hex) {
@@ -43,41 +43,37 @@ std::optional<Wide> wide_from(const Json& value) {
   return hex ? wide_from(*hex) : std::nullopt;
 }
 
-Wide number_of(const std::string& op, const char* key, const Json& value) {
+Wide number_of(Op op, const char* key, const Json& value) {
   const std::optional<Wide> x = wide_from(value);
   if (!x) no_answer(op, fmt::format("has {} = {}, which is no hexadecimal float", key, tps::shown(value)));
   return *x;
 }
 
-const Json& field(const std::string& op, const Json& out, const char* key) {
+const Json& field(Op op, const Json& out, const char* key) {
   const auto found = out.find(key);
   if (found == out.end()) no_answer(op, fmt::format("has no {}: {}", key, tps::shown(out)));
   return *found;
 }
 
-std::string word_of(const std::string& op, const Json& out, const char* key) {
+std::string word_of(Op op, const Json& out, const char* key) {
   const Json& value = field(op, out, key);
   if (!value.is_string()) no_answer(op, fmt::format("has {} = {}, which is no word", key, tps::shown(value)));
   constexpr std::size_t kLongestWord = 100;
   return printable(value.get<std::string>(), kLongestWord);  // reports quote it
 }
 
-WideVector vector_of(const std::string& op, const char* key, const Json& value, int dimension) {
+WideVector vector_of(Op op, const char* key, const Json& value, int dimension) {
   if (!value.is_array() || static_cast<int>(value.size()) != dimension)
     no_answer(op, fmt::format("has {} = {}, which is no vector of {}", key, tps::shown(value), dimension));
   return {number_of(op, key, value[0]), number_of(op, key, value[1]),
           dimension > 2 ? number_of(op, key, value[2]) : Wide(0)};
 }
 
-const char* name_of(TimingKind kind) {
-  return kind == TimingKind::block ? "block_time" : "tether_time";
-}
-
 Json hex(double x) {
   return to_hex<double>(x);
 }
 
-Time time_of(const std::string& op, const Json& out) {
+Time time_of(Op op, const Json& out) {
   Time time{word_of(op, out, "verdict"), std::nullopt};
   if (const auto t = out.find("t"); t != out.end() && !t->is_null()) time.t = number_of(op, "t", *t);
   return time;
@@ -108,7 +104,7 @@ Json Interview::pair_input(const PairState& pair) const {
           {"v_B", vector(pair.v_B)}};
 }
 
-Json Interview::ask(const std::string& op, Json in) {
+Json Interview::ask(Op op, Json in) {
   interrupt::check();
   questions_.push_back({op, std::move(in)});
   Answer answer = subject_.ask(questions_.back());
@@ -117,13 +113,13 @@ Json Interview::ask(const std::string& op, Json in) {
       if (!answer.out.is_object()) no_answer(op, "is no object: " + tps::shown(answer.out));
       return std::move(answer.out);
     case Answer::Status::skipped:
-      throw Unanswered{{Outcome::Kind::skipped, fmt::format("{}: {}", op, answer.reason)}};
+      throw Unanswered{{Outcome::Kind::skipped, fmt::format("{}: {}", operations::name(op), answer.reason)}};
     case Answer::Status::refused:
       throw Unanswered{
           {has_answer(questions_.back(), subject_.format()) ? Outcome::Kind::refused : Outcome::Kind::outside,
-           fmt::format("{}: {}", op, answer.reason)}};
+           fmt::format("{}: {}", operations::name(op), answer.reason)}};
     default:
-      throw Unanswered{{Outcome::Kind::failed, fmt::format("{}: {}", op, answer.reason)}};
+      throw Unanswered{{Outcome::Kind::failed, fmt::format("{}: {}", operations::name(op), answer.reason)}};
   }
 }
 
@@ -132,7 +128,8 @@ std::vector<TimingKind> Interview::timing_kinds() const {
   std::vector<TimingKind> kinds{TimingKind::block, TimingKind::tether};
   if (!offered) return kinds;
   std::erase_if(kinds, [&](TimingKind kind) {
-    return std::find(offered->begin(), offered->end(), name_of(kind)) == offered->end();
+    return std::find(offered->begin(), offered->end(), operations::name(operations::timing_of(kind))) ==
+           offered->end();
   });
   return kinds;
 }
@@ -140,11 +137,11 @@ std::vector<TimingKind> Interview::timing_kinds() const {
 Wide Interview::distance(const PairState& pair, double dt) {
   Json in = pair_input(pair);
   in["dt"] = hex(dt);
-  return number_of("distance", "du", field("distance", ask("distance", in), "du"));
+  return number_of(Op::distance, "du", field(Op::distance, ask(Op::distance, in), "du"));
 }
 
 Time Interview::time(const LimitQuery& query) {
-  const char* op = name_of(query.kind);
+  const Op op = operations::timing_of(query.kind);
   Json in = pair_input(query.pair);
   in["L"] = hex(query.L);
   return time_of(op, ask(op, in));
@@ -164,11 +161,11 @@ std::string Interview::order(const LimitQuery& first, const LimitQuery& second) 
     in["L"] = hex(q.L);
     return in;
   };
-  return word_of("order", ask("order", {{"first", query(first)}, {"second", query(second)}}), "order");
+  return word_of(Op::order, ask(Op::order, {{"first", query(first)}, {"second", query(second)}}), "order");
 }
 
 Velocities Interview::apply_impulse(const Masses& m, const Vec3& v_A, const Vec3& v_B, const Vec3& dp) {
-  const char* op = "apply_impulse";
+  const Op op = Op::apply_impulse;
   const Json out = ask(
       op,
       {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}, {"dp", vector(dp)}});
@@ -177,7 +174,7 @@ Velocities Interview::apply_impulse(const Masses& m, const Vec3& v_A, const Vec3
 }
 
 WideVector Interview::collision_impulse(const PairState& pair, const Masses& m, double c) {
-  const char* op = "collision_impulse";
+  const Op op = Op::collision_impulse;
   Json in = pair_input(pair);
   in.update({{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"c", hex(c)}});
   return vector_of(op, "dp", field(op, ask(op, in), "dp"), dimension_);
@@ -185,7 +182,7 @@ WideVector Interview::collision_impulse(const PairState& pair, const Masses& m, 
 
 WideVector Interview::revolution_impulse(const PairState& pair, const Masses& m, double c_revolve,
                                          double theta) {
-  const char* op = "revolution_impulse";
+  const Op op = Op::revolution_impulse;
   Json in = pair_input(pair);
   in.update({{"m_A", hex(m.A)},
              {"m_B", hex(m.B)},
@@ -196,7 +193,7 @@ WideVector Interview::revolution_impulse(const PairState& pair, const Masses& m,
 
 TetherAnswer Interview::tether_response(const PairState& pair, const Masses& m, double c_retract,
                                         double c_revolve, double theta) {
-  const char* op = "tether_response";
+  const Op op = Op::tether_response;
   Json in = pair_input(pair);
   in.update({{"m_A", hex(m.A)},
              {"m_B", hex(m.B)},
@@ -209,14 +206,14 @@ TetherAnswer Interview::tether_response(const PairState& pair, const Masses& m, 
 }
 
 WideVector Interview::load(const Masses& m, const Vec3& v_A, const Vec3& v_B) {
-  const char* op = "load";
+  const Op op = Op::load;
   const Json out =
       ask(op, {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}});
   return vector_of(op, "v_load", field(op, out, "v_load"), dimension_);
 }
 
 WideVector Interview::restitution_impulse(const Masses& m, const Vec3& v_A, const Vec3& v_B, const Vec3& dp) {
-  const char* op = "restitution_impulse";
+  const Op op = Op::restitution_impulse;
   const Json out = ask(
       op,
       {{"m_A", hex(m.A)}, {"m_B", hex(m.B)}, {"v_A", vector(v_A)}, {"v_B", vector(v_B)}, {"dp", vector(dp)}});
@@ -224,7 +221,7 @@ WideVector Interview::restitution_impulse(const Masses& m, const Vec3& v_A, cons
 }
 
 GroupVelocities Interview::group(const GroupCase& group) {
-  const char* op = "group";
+  const Op op = Op::group;
   Json in{{"bodies", Json::array()}, {"collisions", Json::array()}};
   for (std::size_t n = 0; n < group.m.size(); ++n)
     in["bodies"].push_back({{"m", hex(group.m[n])}, {"u", vector(group.u[n])}, {"v", vector(group.v[n])}});
@@ -246,15 +243,15 @@ GroupVelocities Interview::group(const GroupCase& group) {
 Time Interview::wall_time(const PairState& pair, double L, const Vec3& normal) {
   Json in = pair_input(pair);
   in.update({{"L", hex(L)}, {"normal", vector(normal)}});
-  return time_of("wall_time", ask("wall_time", in));
+  return time_of(Op::wall_time, ask(Op::wall_time, in));
 }
 
 Time Interview::drag_time(double gamma, double s) {
-  return time_of("drag_time", ask("drag_time", {{"gamma", hex(gamma)}, {"s", hex(s)}}));
+  return time_of(Op::drag_time, ask(Op::drag_time, {{"gamma", hex(gamma)}, {"s", hex(s)}}));
 }
 
 RoughAnswer Interview::rough_impulse(const RoughQuestion& q) {
-  const char* op = "rough_impulse";
+  const Op op = Op::rough_impulse;
   Json in = pair_input(q.pair);
   in.update({{"spin_A", spin(q.spin_A)},
              {"spin_B", spin(q.spin_B)},

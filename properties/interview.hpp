@@ -110,7 +110,7 @@ class Interview {
   Json vector(const Vec3& x) const;
   Json spin(const Vec3& x) const;
   Json pair_input(const PairState& pair) const;
-  Json ask(const std::string& op, Json in);
+  Json ask(Op op, Json in);
 
   Implementation& subject_;
   int dimension_;

@@ -7,6 +7,7 @@
 
 #include "properties/case.hpp"
 #include "properties/format.hpp"
+#include "properties/implementation.hpp"
 #include "properties/law_text.hpp"
 #include "properties/outcome.hpp"
 
@@ -22,7 +23,7 @@ class Interview;
 /// A law that any implementation can be asked about.
 struct Law {
   LawText text;
-  std::vector<std::string> operations;                ///< those that it asks
+  std::vector<Op> operations;                         ///< those that it asks
   std::function<rc::Gen<Case>(const Format&)> cases;  ///< generated with shrinking
   std::function<Outcome(Interview&, const Case&)> check;
   bool is_of_each = false;  ///< says the same of each operation: it is asked of those that are offered
@@ -31,7 +32,7 @@ struct Law {
 constexpr bool kOfEach = true;
 
 /// Whether what is offered suffices.
-bool can_be_asked(const Law& law, const std::vector<std::string>& offered);
+bool can_be_asked(const Law& law, const std::function<bool(Op)>& is_offered);
 
 /// All of them, in the order of the paper.
 const std::vector<Law>& laws();

@@ -47,10 +47,7 @@ const std::vector<Law>& laws() {
   return table;
 }
 
-bool can_be_asked(const Law& law, const std::vector<std::string>& offered) {
-  const auto is_offered = [&](const std::string& op) {
-    return std::find(offered.begin(), offered.end(), op) != offered.end();
-  };
+bool can_be_asked(const Law& law, const std::function<bool(Op)>& is_offered) {
   return law.is_of_each ? std::any_of(law.operations.begin(), law.operations.end(), is_offered)
                         : std::all_of(law.operations.begin(), law.operations.end(), is_offered);
 }

@@ -10,7 +10,6 @@
 #include "properties/conform/ask_steps.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/implementations/program.hpp"
-#include "verify/protocol/catalogue.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -35,8 +34,10 @@ Plan within_capabilities(const Implementation& subject, const Plan& plan, Verdic
 constexpr int kBitsOfStates = 53;
 
 void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict) {
-  if (!is_offered(subject, verdict, kNextEvent)) return;
-  if (!wanted(plan.ops, kNextEvent) || subject.format().bits < kBitsOfStates) return;
+  if (!is_offered(subject, verdict, Op::next_event)) return;
+  if (!wanted(plan.ops, std::string(operations::name(Op::next_event))) ||
+      subject.format().bits < kBitsOfStates)
+    return;
   const auto rows = step_rows();
   if (std::none_of(rows.begin(), rows.end(),
                    [&](const std::string& row) { return wanted(plan.strata, row); }))
@@ -53,13 +54,14 @@ void ask_next_events(Implementation& subject, const Plan& plan, Verdict& verdict
 
 /// An operation that --ops names, and that the subject does not offer, is refused.
 void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, Verdict& verdict) {
-  for (const std::string& op : plan.ops) {
-    if (protocol::find_entry(op) == nullptr) continue;  // a pattern
-    if (is_offered(subject, verdict, op)) continue;
-    std::erase(verdict.not_offered, op);
-    Row row{area_of(op), op + ".offered", op, "offered", page_of(op)};
+  for (const std::string& name : plan.ops) {
+    const operations::Operation* operation = operations::find(name);
+    if (operation == nullptr) continue;  // a pattern
+    if (is_offered(subject, verdict, operation->op)) continue;
+    std::erase(verdict.not_offered, name);
+    Row row{std::string(operation->part), name + ".offered", name, "offered", std::string(operation->page)};
     row.add({Class::refused, "asked for by --ops, and not offered"}, [&] {
-      return Example{Class::refused, op, {}, {}, {}};
+      return Example{Class::refused, name, {}, {}, {}};
     });
     verdict.rows.push_back(std::move(row));
   }
@@ -67,8 +69,9 @@ void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, V
 
 bool simulates(const Implementation& subject, const Plan& plan) {
   const auto offered = subject.offered();
-  return offered && has(*offered, kSimulate) && plan.strata.empty() &&
-         (plan.ops.empty() || has(plan.ops, kSimulate));
+  const std::string simulate(operations::name(Op::simulate));
+  return offered && has(*offered, simulate) && plan.strata.empty() &&
+         (plan.ops.empty() || has(plan.ops, simulate));
 }
 
 }  // namespace

@@ -18,7 +18,6 @@
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/protocol/catalogue.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -58,7 +57,7 @@ class KnownAnswers {
       : subject_(subject), plan_(plan), verdict_(verdict), stable_(reference_in(subject.format())) {}
 
   void ask() {
-    const Selection selection{plan_.level, [this](const std::string& op) { return is_asked(op); },
+    const Selection selection{plan_.level, [this](Op op) { return is_asked(op); },
                               [this](const std::string& name) { return wanted(plan_.strata, name); },
                               subject_.takes_outer_groups()};
     for_known_questions(selection, subject_.format(), [this](Stratum taken) {
@@ -72,10 +71,11 @@ class KnownAnswers {
 
  private:
   /// Whether an operation is wanted, and not one of which the subject says that it lacks it.
-  bool is_asked(const std::string& op) {
-    if (!wanted(plan_.ops, op)) return false;
+  bool is_asked(Op op) {
+    const std::string name(operations::name(op));
+    if (!wanted(plan_.ops, name)) return false;
     const auto offered = subject_.offered();
-    if (!offered || std::find(offered->begin(), offered->end(), op) != offered->end()) return true;
+    if (!offered || has(*offered, name)) return true;
     lacks(op);
     return false;
   }
@@ -90,13 +90,15 @@ class KnownAnswers {
     return offers_[stratum.op] = answers;
   }
 
-  void lacks(const std::string& op) {
-    std::vector<std::string>& names = verdict_.not_offered;
-    if (std::find(names.begin(), names.end(), op) == names.end()) names.push_back(op);
+  void lacks(Op op) {
+    const std::string name(operations::name(op));
+    if (!has(verdict_.not_offered, name)) verdict_.not_offered.push_back(name);
   }
 
   void ask(const Stratum& stratum) {
-    plan_.progress(stratum.op + "." + stratum.name);
+    const operations::Operation& operation = operations::operation(stratum.op);
+    const std::string name = fmt::format("{}.{}", operation.name, stratum.name);
+    plan_.progress(name);
     std::vector<Question> questions;
     for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
     const auto start = std::chrono::steady_clock::now();
@@ -105,8 +107,8 @@ class KnownAnswers {
     verdict_.environment.cpu_seconds += thread_seconds() - computed;
     verdict_.environment.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Row row{area_of(stratum.op), stratum.op + "." + stratum.name, stratum.op, stratum.name,
-            page_of(stratum.op)};
+    Row row{std::string(operation.part), name, std::string(operation.name), stratum.name,
+            std::string(operation.page)};
     row.reference = 0;
     const Answer* parent = nullptr;
     for (std::size_t n = 0; n < answers.size(); ++n) {
@@ -154,7 +156,7 @@ class KnownAnswers {
   const Plan& plan_;
   Verdict& verdict_;
   std::unique_ptr<Implementation> stable_;
-  std::map<std::string, bool> offers_;
+  std::map<Op, bool> offers_;
 };
 
 }  // namespace
@@ -163,9 +165,10 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-bool is_offered(const Implementation& subject, const Verdict& verdict, const std::string& op) {
+bool is_offered(const Implementation& subject, const Verdict& verdict, Op op) {
   const auto offered = subject.offered();
-  return offered ? has(*offered, op) : !has(verdict.not_offered, op);
+  const std::string name(operations::name(op));
+  return offered ? has(*offered, name) : !has(verdict.not_offered, name);
 }
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
@@ -178,14 +181,6 @@ std::vector<std::string> Plan::commands_of(const Question& question) const {
   std::vector<std::string> commands{command_of(question)};
   if (!command.empty()) commands.push_back(fmt::format("echo '{}' | {}", request_line(1, question), command));
   return commands;
-}
-
-std::string area_of(const std::string& op) {
-  return std::string(protocol::find_entry(op)->part);
-}
-
-std::string page_of(const std::string& op) {
-  return std::string(protocol::find_entry(op)->page);
 }
 
 void ask_known_answers(Implementation& subject, const Plan& plan, Verdict& verdict) {

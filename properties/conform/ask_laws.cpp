@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <iterator>
 #include <memory>
 
 #include "properties/check_law.hpp"
@@ -14,7 +13,6 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/process/interrupt.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/protocol/catalogue.hpp"
 #include "verify/vectors/known_answer.hpp"
 
 namespace tps::properties::conform {
@@ -25,16 +23,12 @@ using Kind = Outcome::Kind;
 
 /// After so many broken cases of a law the others would say the same.
 constexpr int kMostBroken = 10;
-/// K(k) of answers to a law's questions, as known answers of their operations have it (docs/vectors.md).
-constexpr const char* kAcceptedTime = "K(8)";
-constexpr const char* kAcceptedResponse = "K(16)";
-constexpr const char* kAcceptedGroup = "K(64)";
-
 /// Hands on, sees what kind of answers come, and gives up at a moment, which ends shrinking.
 class Watched final : public Implementation {
  public:
-  Watched(Implementation& subject, std::vector<std::string> offered)
-      : subject_(subject), offered_(std::move(offered)) {}
+  Watched(Implementation& subject, const std::vector<Op>& offered) : subject_(subject) {
+    for (const Op op : offered) offered_.emplace_back(operations::name(op));
+  }
   std::string name() const override { return subject_.name(); }
   Format format() const override { return subject_.format(); }
   std::optional<std::vector<std::string>> offered() const override { return offered_; }
@@ -70,37 +64,42 @@ class Laws {
         plan_(plan),
         verdict_(verdict),
         stable_(reference(subject.format().bits <= 24 ? "float" : "double")) {
-    for (const protocol::Entry& entry : protocol::catalogue()) {
-      const std::string op(entry.name);
-      if (!wanted(plan_.ops, op)) continue;
-      wanted_.push_back(op);
-      if (is_offered(subject_, verdict_, op)) asked_.push_back(op);
+    for (const operations::Operation& operation : operations::catalogue()) {
+      if (!wanted(plan_.ops, std::string(operation.name))) continue;
+      wanted_.push_back(operation.op);
+      if (is_offered(subject_, verdict_, operation.op)) asked_.push_back(operation.op);
     }
   }
 
   void ask() {
     for (const Law& law : laws()) {
       if (plan_.stops() || !subject_.given_up().empty()) return;
-      if (can_be_asked(law, asked_)) {
+      if (can_be_asked(law, [this](Op op) { return is_in(asked_, op); })) {
         ask(law);
-      } else if (can_be_asked(law, wanted_)) {
+      } else if (can_be_asked(law, [this](Op op) { return is_in(wanted_, op); })) {
         note_not_asked(law);
       }
     }
   }
 
  private:
+  static bool is_in(const std::vector<Op>& list, Op op) {
+    return std::find(list.begin(), list.end(), op) != list.end();
+  }
+
   void note_not_asked(const Law& law) {
     std::vector<std::string> needs;
-    std::copy_if(law.operations.begin(), law.operations.end(), std::back_inserter(needs),
-                 [this](const std::string& op) { return !has(asked_, op); });
+    for (const Op op : law.operations) {
+      if (!is_in(asked_, op)) needs.emplace_back(operations::name(op));
+    }
     if (law.is_of_each) needs = {fmt::format("{}", fmt::join(needs, " or "))};
     verdict_.laws_not_asked.push_back({std::string(law.text.number), std::move(needs)});
   }
 
   void ask(const Law& law) {
     plan_.progress(law.text.id);
-    Row row{area_of(law.operations.front()), law.text.id, "laws", law.text.number, law.text.page};
+    Row row{std::string(operations::operation(law.operations.front()).part), law.text.id, "laws",
+            law.text.number, law.text.page};
     Class worst = Class::right;
     int broken = 0;
     std::optional<std::uint64_t> to_shrink;
@@ -110,7 +109,8 @@ class Laws {
       const Examined found = examine(law, watched, generated_case(law, subject_.format(), plan_.seed, n));
       if (watched.untaken) continue;
       if (found.outcome.kind == Kind::skipped) {
-        verdict_.laws_not_asked.push_back({std::string(law.text.number), {found.questions.back().op}});
+        verdict_.laws_not_asked.push_back(
+            {std::string(law.text.number), {std::string(operations::name(found.questions.back().op))}});
         return;
       }
       if (watched.failed_at) {
@@ -178,10 +178,7 @@ class Laws {
   static std::optional<KnownQuestion> certified(const Question& question) {
     try {
       KnownQuestion known{{}, {}, question, vectors::known_answer(question.op, question.in)};
-      const bool is_timing = known.answer.contains("verdict");
-      known.answer["accept"] = {"R", is_timing                ? kAcceptedTime
-                                     : question.op == "group" ? kAcceptedGroup
-                                                              : kAcceptedResponse};
+      known.answer["accept"] = vectors::accepted_by(question.op);
       return known;
     } catch (const std::exception&) {
       return std::nullopt;  // no operation of known answers, or a question that has none
@@ -213,7 +210,7 @@ class Laws {
   const Plan& plan_;
   Verdict& verdict_;
   std::unique_ptr<Implementation> stable_;
-  std::vector<std::string> wanted_,
+  std::vector<Op> wanted_,
       asked_;         ///< operations that --ops selects; of them those that are offered
   double spent_ = 0;  ///< on shrinking, in seconds
 };

@@ -17,13 +17,15 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/protocol/catalogue.hpp"
+#include "verify/operations/catalogue.hpp"
 #include "verify/vectors/check_answers.hpp"
 
 namespace tps::properties::conform {
 namespace {
 
-constexpr const char* kOperation = kNextEvent;
+const operations::Operation& asked_operation() {
+  return operations::operation(Op::next_event);
+}
 /// What a state alone does not say: who is loaded, what the clock is.
 constexpr const char* kLeftOut[] = {"no-groups", "no-draws", "no-phases", "no-impulses"};
 /// A scene's duration does not limit its next event.
@@ -155,7 +157,7 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
 }
 
 std::string row_name(const std::string& kind) {
-  return fmt::format("{}.step_{}", kOperation, kind);
+  return fmt::format("{}.step_{}", asked_operation().name, kind);
 }
 
 class Steps {
@@ -173,7 +175,8 @@ class Steps {
       const auto scene = random_scene(features_, plan_.seed, number);
       if (!scene) continue;
       ++asked;
-      plan_.progress(fmt::format("{} from states of scene {} of seed {}", kOperation, number, plan_.seed));
+      plan_.progress(
+          fmt::format("{} from states of scene {} of seed {}", asked_operation().name, number, plan_.seed));
       ask(walk(*scene), number);
     }
     for (auto& [kind, row] : rows_) verdict_.rows.push_back(std::move(row));
@@ -185,7 +188,7 @@ class Steps {
     std::vector<Step> steps;
     Json scene = without_duration(first);
     while (steps.size() < plan_.steps) {
-      Question question{kOperation, {{"scene", scene}}};
+      Question question{asked_operation().op, {{"scene", scene}}};
       Answer right = certified_->ask(question);
       if (right.status != Answer::Status::answered || right.out.contains("simulated")) break;
       const bool ends = right.out.at("kind") == "none";
@@ -211,11 +214,12 @@ class Steps {
     if (answer.status == Answer::Status::failed)
       return verdict_.note_failure({std::move(id), answer.reason, plan_.commands_of(step.question)});
     const std::string kind = step.right.at("kind").get<std::string>();
-    const auto* facts = protocol::find_entry(kOperation);
-    Row& row = rows_
-                   .try_emplace(kind, Row{std::string(facts->part), row_name(kind), kOperation,
-                                          "step_" + kind, std::string(facts->page)})
-                   .first->second;
+    const operations::Operation& operation = asked_operation();
+    Row& row =
+        rows_
+            .try_emplace(kind, Row{std::string(operation.part), row_name(kind), std::string(operation.name),
+                                   "step_" + kind, std::string(operation.page)})
+            .first->second;
     std::string reading;
     const Grade grade = graded(step, answer, reading);
     row.add(grade, [&] {

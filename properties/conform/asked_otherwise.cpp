@@ -25,8 +25,7 @@ Vec nearest_numbers(const Expected& right) {
   return all;
 }
 
-Vec reference_answer(const std::string& scalar, const std::string& op, const Json& in,
-                     const Expected& right) {
+Vec reference_answer(const std::string& scalar, Op op, const Json& in, const Expected& right) {
   static std::map<std::string, std::unique_ptr<Implementation>> references;
   auto& asked = references[scalar];
   if (asked == nullptr) asked = reference(scalar);

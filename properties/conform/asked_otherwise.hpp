@@ -14,6 +14,6 @@ Vec numbers_as(const Expected& right, const Json& out);
 Vec nearest_numbers(const Expected& right);
 
 /// The answer of the equations in "float" or "double"; empty where they have none.
-Vec reference_answer(const std::string& scalar, const std::string& op, const Json& in, const Expected& right);
+Vec reference_answer(const std::string& scalar, Op op, const Json& in, const Expected& right);
 
 }  // namespace tps::properties::conform

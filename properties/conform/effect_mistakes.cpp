@@ -13,11 +13,11 @@ std::optional<Mistaken> reached(double gap, double towards) {
 }
 
 Mistake of_wall(std::string name, std::function<std::optional<Mistaken>(const Given&)> answer) {
-  return {std::move(name), {"wall_time"}, std::move(answer)};
+  return {std::move(name), {Op::wall_time}, std::move(answer)};
 }
 
 Mistake of_drag(std::string name, std::function<double(double gamma, double s)> time) {
-  return {std::move(name), {"drag_time"}, [time = std::move(time)](const Given& g) {
+  return {std::move(name), {Op::drag_time}, [time = std::move(time)](const Given& g) {
             const double t = time(g.number("gamma"), g.number("s"));
             return std::isfinite(t) ? std::optional(Mistaken{{{"t", Vec{t}}}}) : std::nullopt;
           }};
@@ -50,7 +50,7 @@ Vec impulse(const Given& g, const Slips& slips) {
 }
 
 Mistake of_friction(std::string name, Slips slips) {
-  return {std::move(name), {"rough_impulse"}, [slips](const Given& g) {
+  return {std::move(name), {Op::rough_impulse}, [slips](const Given& g) {
             return std::optional(Mistaken{{{"dp", impulse(g, slips)}}});
           }};
 }
@@ -88,7 +88,7 @@ void add_effect_mistakes(std::vector<Mistake>& m) {
   m.push_back(of_friction("surfaces always hold", {.limited = false}));
   m.push_back(of_friction("the reduced mass instead of that of the contact", {.whole_mass = true}));
   m.push_back(of_friction("the mass of a sphere's contact for a disc", {.mass = 6.0 / 7}));
-  m.push_back({"β₀ instead of 1 + β₀", {"rough_impulse"}, [](const Given& g) -> std::optional<Mistaken> {
+  m.push_back({"β₀ instead of 1 + β₀", {Op::rough_impulse}, [](const Given& g) -> std::optional<Mistaken> {
                  const double beta0 = g.number("beta0");
                  if (beta0 == -1) return std::nullopt;
                  return Mistaken{{{"dp", impulse(g, {.restitution = beta0 / (1 + beta0)})}}};

@@ -165,7 +165,7 @@ double accepted_factor(const Json& accept) {
 Comparison compare(const Expected& expected, const Question& question, Json out, const Format& format,
                    double k) {
   Comparison comparison;
-  if (question.op == "next_event") {
+  if (question.op == Op::next_event) {
     if (auto wrong = vectors::wrong_state(out, question.in.at("scene").at("particles").size())) {
       comparison.words = comparison.numbers = comparison.within = comparison.nearest = false;
       comparison.is_minor = false;

@@ -14,7 +14,6 @@
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
-#include "verify/certified/timing_input.hpp"
 #include "verify/vectors/check_answers.hpp"
 #include "verify/vectors/known_answer.hpp"
 
@@ -25,8 +24,8 @@ constexpr const char* kOutOfRange =
     "products of the question's numbers leave the range; scale by powers of two first";
 
 const char* what_is_lost(const Question& question) {
-  return question.op == "drag_time" ? "as 1 − γs, rounded, does; log1p keeps these digits"
-                                    : "as the printed b² − 4ac does; the stable formula keeps these digits";
+  return question.op == Op::drag_time ? "as 1 − γs, rounded, does; log1p keeps these digits"
+                                      : "as the printed b² − 4ac does; the stable formula keeps these digits";
 }
 
 bool is_timing(const KnownQuestion& known) {
@@ -35,8 +34,8 @@ bool is_timing(const KnownQuestion& known) {
 
 /// The narrowest margin within which an answer to a timing operation is right.
 Margin margin_of(const Question& question, const TimeAnswer& answer, int bits) {
-  if (question.op == "drag_time") return margin_of_drag(question.in, answer, bits);
-  const auto kind = certified::timing_kind(question.op);
+  if (question.op == Op::drag_time) return margin_of_drag(question.in, answer, bits);
+  const auto kind = operations::timing_kind(question.op);
   const exact::TimingQuery query = vectors::read_timing_input(kind.value(), question.in);
   return kind == exact::Kind::plane ? margin_of_plane(query, answer, bits) : margin_of(query, answer, bits);
 }
@@ -65,10 +64,10 @@ struct Word {
 };
 
 /// The verdicts of an operation (docs/protocol.md).
-std::vector<Word> words_of(const std::string& op) {
-  if (op == "drag_time") return {{"reached", true}, {"never", false}};
+std::vector<Word> words_of(Op op) {
+  if (op == Op::drag_time) return {{"reached", true}, {"never", false}};
   std::vector<Word> words;
-  for (const TimingVerdict verdict : verdicts_of(certified::timing_kind(op).value()))
+  for (const TimingVerdict verdict : verdicts_of(operations::timing_kind(op).value()))
     words.push_back({name(verdict), occurs(verdict)});
   return words;
 }
@@ -92,7 +91,7 @@ std::optional<Meaningless> says_nothing(const Question& question, const Json& ou
     std::vector<std::string_view> names;
     for (const Word& each : words) names.push_back(each.name);
     return Meaningless{fmt::format("verdict is {}; the verdicts of {} are {}", tps::shown(*verdict),
-                                   question.op, fmt::join(names, ", "))};
+                                   operations::name(question.op), fmt::join(names, ", "))};
   }
   const Json t = out.value("t", Json());
   if (word->occurs == !t.is_null()) return std::nullopt;
@@ -171,7 +170,7 @@ bool is_of_its_kind(const KnownQuestion& known, const Json& out, const Format& f
     in.erase("theta_revolve_deg");
   }
   in.erase("c_retract");
-  const Question question{retracts ? "collision_impulse" : "revolution_impulse", in};
+  const Question question{retracts ? Op::collision_impulse : Op::revolution_impulse, in};
   try {
     const Json answer = vectors::known_answer(question.op, in);
     const Expected expected = expected_of({{}, {}, question, answer}).front();
@@ -184,10 +183,10 @@ bool is_of_its_kind(const KnownQuestion& known, const Json& out, const Format& f
 
 Grade graded_response(const KnownQuestion& known, const Json& out, const Comparison& c, const Format& format,
                       Implementation& stable, double k) {
-  if (known.question.op == "tether_response" && kind_is_open(known.question, format.bits) &&
+  if (known.question.op == Op::tether_response && kind_is_open(known.question, format.bits) &&
       is_of_its_kind(known, out, format))
     return with(Class::beyond, c, "rounding decides between retraction and revolution");
-  if (known.question.op == "rough_impulse" && !c.words && c.numbers && c.within &&
+  if (known.question.op == Op::rough_impulse && !c.words && c.numbers && c.within &&
       friction_is_open(known.question, format.bits))
     return with(Class::beyond, c, "rounding decides whether the surfaces hold");
   if (c.words && c.numbers && !leaves_range(known.question, format) && within_bounds(known, out, format.bits))
@@ -220,9 +219,9 @@ Grade graded(const KnownQuestion& known, const Json& out, const Format& format, 
         is_timing(known) && margin_of(known.question, time_answer(out), format.bits) == Margin::printed;
     return is_worse ? with(Class::worse, best, what_is_lost(known.question)) : with(Class::rounding, best);
   }
-  Grade found = is_timing(known)               ? graded_time(known.question, out, best, format)
-                : known.question.op == "order" ? graded_order(known.question, out, best, format)
-                                               : graded_response(known, out, best, format, stable, k);
+  Grade found = is_timing(known)                 ? graded_time(known.question, out, best, format)
+                : known.question.op == Op::order ? graded_order(known.question, out, best, format)
+                                                 : graded_response(known, out, best, format, stable, k);
   const bool is_lost = found.which == Class::wrong || found.which == Class::other_reading;
   if (is_lost && leaves_range(known.question, format)) return with(Class::worse, best, kOutOfRange);
   return found;

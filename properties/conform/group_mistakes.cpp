@@ -71,7 +71,7 @@ std::optional<Mistaken> group(const Given& g, const Switches& s) {
 void add_group_mistakes(std::vector<Mistake>& mistakes) {
   const auto add = [&](std::string name, Switches switches) {
     mistakes.push_back(
-        {std::move(name), {"group"}, [switches](const Given& g) { return group(g, switches); }});
+        {std::move(name), {Op::group}, [switches](const Given& g) { return group(g, switches); }});
   };
   add("the mass of one particle instead of its group's", {.single_mass = true});
   add("(7) without its subtraction", {.no_subtraction = true});

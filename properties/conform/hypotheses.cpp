@@ -55,7 +55,7 @@ bool fits(const Mistake& mistake, const KnownQuestion& known, const Json& out, c
   try {
     const auto mistaken = mistake.answer(Given(known.question.in));
     if (!mistaken) return false;
-    const Json word = out.value(known.question.op == "order" ? "order" : "kind", Json());
+    const Json word = out.value(known.question.op == Op::order ? "order" : "kind", Json());
     if (!mistaken->word.empty() && word != mistaken->word) return false;
     if (!may_be_called_so(*mistaken, right, out)) return false;
     bool tells = !mistaken->word.empty() && (right.words.empty() || right.words[0].word != mistaken->word);

@@ -37,14 +37,9 @@ bool has(const std::vector<std::string>& list, const std::string& name);
 
 /// Whether the subject has said that it answers an operation; of one that has not said what it answers,
 /// whether it has refused none of its questions so far.
-bool is_offered(const Implementation& subject, const Verdict& verdict, const std::string& op);
+bool is_offered(const Implementation& subject, const Verdict& verdict, Op op);
 
 /// Whether a list of patterns has one that fits the name; all are wanted where it is empty.
 bool wanted(const std::vector<std::string>& list, const std::string& name);
-
-/// The part of the table that an operation belongs to. REQUIRES one of protocol::catalogue().
-std::string area_of(const std::string& op);
-/// The page of an operation. REQUIRES the same.
-std::string page_of(const std::string& op);
 
 }  // namespace tps::properties::conform

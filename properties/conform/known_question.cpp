@@ -12,7 +12,7 @@
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/number_text.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 #include "verify/vectors/generate.hpp"
 
 namespace tps::properties::conform {
@@ -50,10 +50,9 @@ bool holds(const Json& value, const Format& format) {
 
 /// The case with another question, in numbers of the format; nothing where that has no answer which the
 /// format holds.
-std::optional<Json> with_question(const std::string& op, const Json& known, const Json& in,
-                                  const Format& format) {
+std::optional<Json> with_question(Op op, const Json& known, const Json& in, const Format& format) {
   const bool narrow = format.bits < 53;
-  if (narrow && op == "next_event") return std::nullopt;
+  if (narrow && op == Op::next_event) return std::nullopt;
   try {
     const Json asked = narrow ? rounded(in, format) : in;
     Json made = vectors::known_answer(op, asked);
@@ -65,14 +64,14 @@ std::optional<Json> with_question(const std::string& op, const Json& known, cons
     return made;
   } catch (const NotHeld&) {
   } catch (const InputError&) {
-  } catch (const eval::NoAnswer&) {
+  } catch (const operations::NoAnswer&) {
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;
 }
 
 /// The case in numbers of the format; nothing where there is none.
-std::optional<Json> in_format(const std::string& op, Json known, const Format& format) {
+std::optional<Json> in_format(Op op, Json known, const Format& format) {
   if (format.bits >= 53) return known;
   return with_question(op, known, known.at("in"), format);
 }
@@ -88,7 +87,7 @@ bool can_be_asked(const Json& in, const Selection& selection) {
   return selection.outer_groups || !has_outer_collision(in);
 }
 
-KnownQuestion question_of(const std::string& op, const char* stratum, Json known) {
+KnownQuestion question_of(Op op, const char* stratum, Json known) {
   const std::string id = known.at("id").get<std::string>();
   return {id, stratum, {op, known.at("in")}, std::move(known)};
 }
@@ -147,12 +146,12 @@ Stratum with_siblings(const vectors::Stratum& family, const Selection& selection
 void for_known_questions(const Selection& selection, const Format& format,
                          const std::function<bool(Stratum)>& visit) {
   std::vector<std::function<Stratum()>> wanted;
-  const std::string* op = nullptr;
+  std::optional<Op> op;
   for (const vectors::Stratum& family : vectors::strata()) {
-    const bool is_first = op == nullptr || *op != family.op;
-    op = &family.op;
+    const bool is_first = op != family.op;
+    op = family.op;
     if (!selection.wants_op(family.op)) continue;
-    if (selection.wants_stratum(family.op + "." + family.name))
+    if (selection.wants_stratum(family.full_name()))
       wanted.emplace_back([&] { return made(family, selection, format); });
     if (is_first && selection.wants_stratum(siblings_name(family.op)))
       wanted.emplace_back([&] { return with_siblings(family, selection, format); });

@@ -21,14 +21,15 @@ struct KnownQuestion {
 
 /// Cases of one stratum: questions of one operation that aim at one hazard.
 struct Stratum {
-  std::string op, name, why;
+  Op op;
+  std::string name, why;
   std::vector<KnownQuestion> cases;
 };
 
 /// How many cases of which strata.
 struct Selection {
   int level = 2;                                                  ///< 1 ten of each, 2 those of data/vectors
-  std::function<bool(const std::string& op)> wants_op;            ///< asked before anything is made
+  std::function<bool(Op)> wants_op;                               ///< asked before anything is made
   std::function<bool(const std::string& stratum)> wants_stratum;  ///< by "op.stratum"
   bool outer_groups = true;                                       ///< groups with collisions at outer limits
 };

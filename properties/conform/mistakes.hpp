@@ -74,7 +74,7 @@ struct Mistaken {
 
 struct Mistake {
   std::string name;
-  std::vector<std::string> ops;
+  std::vector<Op> ops;
   std::function<std::optional<Mistaken>(const Given&)> answer;
 };
 

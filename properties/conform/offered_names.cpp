@@ -12,7 +12,6 @@
 #include "properties/law.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/printable.hpp"
-#include "verify/protocol/catalogue.hpp"
 #include "verify/vectors/stratum.hpp"
 
 namespace tps::properties::conform {
@@ -34,11 +33,11 @@ const std::string* fits_none(const std::vector<std::string>& patterns,
 
 void check_operations(const std::vector<std::string>& patterns) {
   std::vector<std::string> names;
-  for (const protocol::Entry& entry : protocol::catalogue()) {
-    const std::string op(entry.name);
-    const bool has_law =
-        std::any_of(laws().begin(), laws().end(), [&](const Law& law) { return has(law.operations, op); });
-    if (entry.is_answered || has_law) names.push_back(op);
+  for (const operations::Operation& operation : operations::catalogue()) {
+    const bool has_law = std::any_of(laws().begin(), laws().end(), [&](const Law& law) {
+      return std::find(law.operations.begin(), law.operations.end(), operation.op) != law.operations.end();
+    });
+    if (operation.is_certified || has_law) names.emplace_back(operation.name);
   }
   if (const std::string* pattern = fits_none(patterns, names)) {
     throw std::invalid_argument(
@@ -49,7 +48,7 @@ void check_operations(const std::vector<std::string>& patterns) {
 void check_strata(const std::vector<std::string>& patterns) {
   std::vector<std::string> names = step_rows();
   for (const vectors::Stratum& stratum : vectors::strata()) {
-    names.push_back(stratum.op + "." + stratum.name);
+    names.push_back(stratum.full_name());
     if (!has(names, siblings_name(stratum.op))) names.push_back(siblings_name(stratum.op));
   }
   if (const std::string* pattern = fits_none(patterns, names)) {

@@ -15,9 +15,9 @@ Answer answer_to(Implementation& subject, const Question& question) {
   return answer;
 }
 
-bool offers(Implementation& subject, const std::string& op) {
+bool offers(Implementation& subject, Op op) {
   const auto offered = subject.offered();
-  return !offered || std::find(offered->begin(), offered->end(), op) != offered->end();
+  return !offered || std::find(offered->begin(), offered->end(), operations::name(op)) != offered->end();
 }
 
 Json vector(double x, double y) {
@@ -28,10 +28,10 @@ Json vector(double x, double y) {
 std::optional<double> returned(Implementation& subject, double x) {
   const Json v = vector(x, 0), zero = vector(0, 0);
   const Json masses{{"m_A", "0x1p+0"}, {"m_B", "0x1p+0"}, {"v_A", v}, {"v_B", v}};
-  for (const auto& [op, key] : {std::pair{"apply_impulse", "v_A"}, std::pair{"load", "v_load"}}) {
+  for (const auto& [op, key] : {std::pair{Op::apply_impulse, "v_A"}, std::pair{Op::load, "v_load"}}) {
     if (!offers(subject, op)) continue;
     Json in = masses;
-    if (op == std::string("apply_impulse")) in["dp"] = zero;
+    if (op == Op::apply_impulse) in["dp"] = zero;
     const Answer answer = answer_to(subject, {op, in});
     if (answer.status != Answer::Status::answered || !answer.out.is_object()) continue;
     const auto numbers = numbers_of(answer.out.value(key, Json()));
@@ -44,7 +44,7 @@ std::optional<double> returned(Implementation& subject, double x) {
 /// is not, and in one of two mirror images the pair seems to approach. Who is wrong about both is wrong for
 /// another reason.
 std::optional<bool> contracts(Implementation& subject) {
-  if (!offers(subject, "block_time")) return std::nullopt;
+  if (!offers(subject, Op::block_time)) return std::nullopt;
   int approaching = 0;
   for (const double side : {1.0, -1.0}) {
     const Json in{{"u_A", vector(0, 0)},
@@ -52,7 +52,7 @@ std::optional<bool> contracts(Implementation& subject) {
                   {"v_A", vector(0, 0)},
                   {"v_B", vector(0.3, -0.1)},
                   {"L", to_hex<double>(0x1p-10)}};
-    const Answer answer = answer_to(subject, {"block_time", in});
+    const Answer answer = answer_to(subject, {Op::block_time, in});
     if (answer.status != Answer::Status::answered || !answer.out.is_object()) return std::nullopt;
     const Json verdict = answer.out.value("verdict", Json());
     if (verdict != "receding" && verdict != "hit" && verdict != "miss") return std::nullopt;

@@ -35,23 +35,23 @@ void add_velocities(Bounds& bounds, const Given& g, const Vec& dp, double off) {
 }
 
 /// In units u; empty for operations that K(k) judges alone.
-Bounds bounds_of(const std::string& op, const Given& g, const Json& out) {
+Bounds bounds_of(Op op, const Given& g, const Json& out) {
   Bounds bounds;
-  if (op == "apply_impulse") {
+  if (op == Op::apply_impulse) {
     add_velocities(bounds, g, g.vec("dp"), 0);
-  } else if (op == "collision_impulse") {
+  } else if (op == Op::collision_impulse) {
     bounds["dp"] = bound_of_collision(g, g.number("c"));
-  } else if (op == "tether_response" && out.value("kind", Json()) == "retract") {
+  } else if (op == Op::tether_response && out.value("kind", Json()) == "retract") {
     const double c = g.number("c_retract");
     bounds["dp"] = bound_of_collision(g, c);
     add_velocities(bounds, g, ((1 + c) * g.mu() * g.v_n()) * g.n(), bounds["dp"]);
-  } else if (op == "load") {
+  } else if (op == Op::load) {
     const double w_A = 1 / (1 + g.number("m_B") / g.number("m_A")),
                  w_B = 1 / (1 + g.number("m_A") / g.number("m_B"));
     bounds["v_load"] = 6 * (w_A * norm(g.vec("v_A")) + w_B * norm(g.vec("v_B")));
-  } else if (op == "rough_impulse") {
+  } else if (op == Op::rough_impulse) {
     return rough_bounds(g, out.value("kind", ""));
-  } else if (op == "restitution_impulse") {
+  } else if (op == Op::restitution_impulse) {
     bounds["dp_AB"] = 6 * (norm(g.vec("dp")) + g.mu() * norm(g.v()));
   }
   return bounds;

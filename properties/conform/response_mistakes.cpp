@@ -27,7 +27,7 @@ double right_ratio(const Given& g) {
 using Impulse = std::function<Vec(const Given&)>;
 
 /// "dp", and of a tether's response the velocities that eq. (3) makes of it.
-Mistake impulse(std::string name, std::vector<std::string> ops, Impulse dp, std::string word = {}) {
+Mistake impulse(std::string name, std::vector<Op> ops, Impulse dp, std::string word = {}) {
   return {std::move(name), std::move(ops), [dp = std::move(dp), word = std::move(word)](const Given& g) {
             const Vec pushed = dp(g);
             Mistaken answer{{{"dp", pushed}}, word};
@@ -40,14 +40,14 @@ Mistake impulse(std::string name, std::vector<std::string> ops, Impulse dp, std:
 }
 
 Mistake velocities(std::string name, std::function<std::pair<Vec, Vec>(const Given&)> both) {
-  return {std::move(name), {"apply_impulse"}, [both = std::move(both)](const Given& g) {
+  return {std::move(name), {Op::apply_impulse}, [both = std::move(both)](const Given& g) {
             const auto [v_A, v_B] = both(g);
             return std::optional(Mistaken{{{"v_A", v_A}, {"v_B", v_B}}});
           }};
 }
 
-Mistake vector(std::string name, std::string op, std::string key, Impulse of) {
-  return {std::move(name), {std::move(op)}, [key = std::move(key), of = std::move(of)](const Given& g) {
+Mistake vector(std::string name, Op op, std::string key, Impulse of) {
+  return {std::move(name), {op}, [key = std::move(key), of = std::move(of)](const Given& g) {
             return std::optional(Mistaken{{{key, of(g)}}});
           }};
 }
@@ -71,7 +71,7 @@ void add_response_mistakes(std::vector<Mistake>& m) {
     return std::pair{g.vec("v_A") + g.vec("dp"), g.vec("v_B") - g.vec("dp")};
   }));
 
-  const std::vector<std::string> eq4{"collision_impulse"}, eq5{"revolution_impulse"};
+  const std::vector<Op> eq4{Op::collision_impulse}, eq5{Op::revolution_impulse};
   m.push_back(impulse("c instead of 1 + c", eq4, [](const Given& g) { return rebound(g, g.number("c")); }));
   m.push_back(impulse("c taken as 1", eq4, [](const Given& g) { return rebound(g, 2); }));
   m.push_back(impulse("c taken as 0", eq4, [](const Given& g) { return rebound(g, 1); }));
@@ -98,8 +98,8 @@ void add_response_mistakes(std::vector<Mistake>& m) {
   m.push_back(impulse("v_n of two components of three", eq4,
                       [](const Given& g) { return ((1 + g.number("c")) * g.mu() * v_n_of_two(g)) * g.n(); }));
 
-  for (const std::string op : {"revolution_impulse", "tether_response"}) {
-    const std::string word = op == "tether_response" ? "revolve" : "";
+  for (const Op op : {Op::revolution_impulse, Op::tether_response}) {
+    const std::string word = op == Op::tether_response ? "revolve" : "";
     m.push_back(impulse(
         "the product c·θ/π as printed instead of the power (D4)", {op},
         [](const Given& g) {
@@ -140,26 +140,26 @@ void add_response_mistakes(std::vector<Mistake>& m) {
     return -1.0 * revolution(g, right_ratio(g), std::tan(g.angle()));
   }));
   m.push_back(impulse(
-      "retracts where it has to revolve", {"tether_response"},
+      "retracts where it has to revolve", {Op::tether_response},
       [](const Given& g) { return rebound(g, 1 + g.number("c_retract")); }, "retract"));
   m.push_back(impulse(
-      "revolves where retraction suffices", {"tether_response"},
+      "revolves where retraction suffices", {Op::tether_response},
       [](const Given& g) { return revolution(g, right_ratio(g), std::tan(g.angle())); }, "revolve"));
   m.push_back(impulse(
-      "c_revolve instead of c_retract", {"tether_response"},
+      "c_revolve instead of c_retract", {Op::tether_response},
       [](const Given& g) { return rebound(g, 1 + g.number("c_revolve")); }, "retract"));
 
-  m.push_back(vector("the mean of both velocities", "load", "v_load",
+  m.push_back(vector("the mean of both velocities", Op::load, "v_load",
                      [](const Given& g) { return 0.5 * (g.vec("v_A") + g.vec("v_B")); }));
-  m.push_back(vector("the weights swapped", "load", "v_load", [](const Given& g) {
+  m.push_back(vector("the weights swapped", Op::load, "v_load", [](const Given& g) {
     const double m_A = g.number("m_A"), m_B = g.number("m_B");
     return (1 / (1 + m_A / m_B)) * g.vec("v_A") + (1 / (1 + m_B / m_A)) * g.vec("v_B");
   }));
-  m.push_back(vector("(7) without its subtraction", "restitution_impulse", "dp_AB",
+  m.push_back(vector("(7) without its subtraction", Op::restitution_impulse, "dp_AB",
                      [](const Given& g) { return g.vec("dp"); }));
-  m.push_back(vector("added instead of subtracted", "restitution_impulse", "dp_AB",
+  m.push_back(vector("added instead of subtracted", Op::restitution_impulse, "dp_AB",
                      [](const Given& g) { return g.vec("dp") + g.mu() * g.v(); }));
-  m.push_back(vector("A and B swapped", "restitution_impulse", "dp_AB",
+  m.push_back(vector("A and B swapped", Op::restitution_impulse, "dp_AB",
                      [](const Given& g) { return g.mu() * g.v() - g.vec("dp"); }));
 }
 

@@ -87,7 +87,7 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 
 RunSource operation_runs(Implementation& subject, std::function<std::string(const Question&)> command_of) {
   const auto question = [](const Scene& scene) {
-    return Question{kSimulate,
+    return Question{Op::simulate,
                     {{"scene", Json::parse(text_of_random(scene, SceneStyle::compact))},
                      {"max_events", kMostEventsOfARun}}};
   };

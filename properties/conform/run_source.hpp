@@ -44,9 +44,6 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
 /// it.
 RunSource operation_runs(Implementation& subject, std::function<std::string(const Question&)> command_of);
 
-constexpr const char* kSimulate = "simulate";
-constexpr const char* kNextEvent = "next_event";
-
 /// Ten times what the reference has in a scene: who has more of them is wrong, and does not need to go on.
 constexpr std::uint64_t kMostEventsOfARun = 1000;
 

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "verify/operations/catalogue.hpp"
+
 namespace tps::properties::conform {
 
 /// A stratum that is in no file: it stands behind the first one of each operation.
 constexpr const char* kSiblings = "siblings";
 
-inline std::string siblings_name(const std::string& op) {
-  return op + "." + kSiblings;
+inline std::string siblings_name(operations::Op op) {
+  return std::string(operations::name(op)) + "." + kSiblings;
 }
 
 struct Sibling {

@@ -59,7 +59,7 @@ std::optional<Json> seen_from_A(const Json& in) {
 bool is_single_precision(const KnownQuestion& known, const Json& out, const Expected& right) {
   const Vec found = numbers_as(right, out);
   if (found.empty()) return false;
-  const std::string& op = known.question.op;
+  const Op op = known.question.op;
   const Json in = rounded(known.question.in);
   if (std::all_of(found.begin(), found.end(), [](double x) { return x == in_single(x); }))
     return apart(found, reference_answer("float", op, in, right)) <= kFewUnits * condition(right);

@@ -46,16 +46,16 @@ std::optional<Mistaken> near_is_taut(const Quadratic& q) {
 }  // namespace
 
 void add_threshold_mistakes(std::vector<Mistake>& mistakes) {
-  const auto add = [&](const char* op, Answer answer) {
+  const auto add = [&](Op op, Answer answer) {
     mistakes.push_back({"a threshold where the paper has 0", {op}, [answer](const Given& g) {
                           return answer(Quadratic(g));
                         }});
   };
   for (const Answer answer :
        {slow_is_static, hardly_approaching_recedes, near_is_in_contact, shallow_is_missed})
-    add("block_time", answer);
+    add(Op::block_time, answer);
   for (const Answer answer : {slow_is_static, hardly_turned_is_pulled, near_is_taut})
-    add("tether_time", answer);
+    add(Op::tether_time, answer);
 }
 
 }  // namespace tps::properties::conform

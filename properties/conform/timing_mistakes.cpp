@@ -10,7 +10,7 @@ namespace {
 using Times = std::function<std::optional<Mistaken>(const Quadratic&, const Given&)>;
 
 /// Of a query that has roots.
-Mistake with_roots(std::string name, std::vector<std::string> ops, Times answer) {
+Mistake with_roots(std::string name, std::vector<Op> ops, Times answer) {
   return {std::move(name), std::move(ops),
           [answer = std::move(answer)](const Given& g) -> std::optional<Mistaken> {
             const Quadratic q(g);
@@ -36,9 +36,8 @@ std::optional<Mistaken> exchanged(const Given& g) {
 }  // namespace
 
 void add_timing_mistakes(std::vector<Mistake>& mistakes) {
-  const std::vector<std::string> both{"block_time", "tether_time"}, block{"block_time"},
-      tether{"tether_time"};
-  const auto plain = [&](std::string name, std::vector<std::string> ops, auto answer) {
+  const std::vector<Op> both{Op::block_time, Op::tether_time}, block{Op::block_time}, tether{Op::tether_time};
+  const auto plain = [&](std::string name, std::vector<Op> ops, auto answer) {
     mistakes.push_back(with_roots(std::move(name), std::move(ops), answer));
   };
   plain("the larger root", block, [](const Quadratic& q, const Given&) { return at(q.larger()); });
@@ -72,7 +71,7 @@ void add_timing_mistakes(std::vector<Mistake>& mistakes) {
   plain("a time before now", both, [](const Quadratic& q, const Given&) -> std::optional<Mistaken> {
     return q.smaller() < 0 ? std::optional(at(q.smaller())) : std::nullopt;
   });
-  const auto lost = [&](const char* op, bool (*is_beyond)(const Quadratic&)) {
+  const auto lost = [&](Op op, bool (*is_beyond)(const Quadratic&)) {
     mistakes.push_back({"no event for a pair that is at its limit or beyond it",
                         {op},
                         [is_beyond](const Given& g) -> std::optional<Mistaken> {
@@ -82,9 +81,9 @@ void add_timing_mistakes(std::vector<Mistake>& mistakes) {
                           return is_at || is_beyond(q) ? std::optional(at(std::nullopt)) : std::nullopt;
                         }});
   };
-  lost("block_time", [](const Quadratic& q) { return q.c < 0 && q.h < 0; });
-  lost("tether_time", [](const Quadratic& q) { return q.c > 0 && q.h >= 0; });
-  mistakes.push_back({"first and second exchanged", {"order"}, exchanged});
+  lost(Op::block_time, [](const Quadratic& q) { return q.c < 0 && q.h < 0; });
+  lost(Op::tether_time, [](const Quadratic& q) { return q.c > 0 && q.h >= 0; });
+  mistakes.push_back({"first and second exchanged", {Op::order}, exchanged});
 }
 
 }  // namespace tps::properties::conform

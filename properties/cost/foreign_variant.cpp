@@ -21,7 +21,7 @@ namespace {
 using cost::TimingQuery;
 
 Question question_of(const TimingQuery& query) {
-  return {query.kind == exact::Kind::block ? "block_time" : "tether_time", vectors::timing_input(query, 3)};
+  return {operations::timing_of(query.kind), vectors::timing_input(query, 3)};
 }
 
 std::optional<TimingVerdict> verdict_named(const std::string& word) {
@@ -92,9 +92,10 @@ cost::Answer answer_of(const Answer& reply) {
 cost::Variant foreign_variant(const std::vector<std::string>& words) {
   const std::shared_ptr<Implementation> program = command(words, {});
   const auto offered = program->offered();
-  for (const char* op : {"block_time", "tether_time"}) {
-    if (offered && std::find(offered->begin(), offered->end(), op) == offered->end()) {
-      throw ProgramError(program->name() + " does not offer " + op +
+  for (const Op op : {Op::block_time, Op::tether_time}) {
+    const std::string name(operations::name(op));
+    if (offered && std::find(offered->begin(), offered->end(), name) == offered->end()) {
+      throw ProgramError(program->name() + " does not offer " + name +
                          ", which a study of timing queries needs");
     }
   }

@@ -122,17 +122,17 @@ bool fits(const Case& c, const Format& format) {
 }
 
 std::string known_answer_file(const std::vector<const Finding*>& findings, std::uint64_t seed) {
-  std::map<std::string, std::vector<Json>> cases;  // by operation
+  std::map<Op, std::vector<Json>> cases;
   for (const Finding* finding : findings) {
     std::vector<std::string> seen;
     for (const Question& question : finding->questions) {
       const std::string in = json_text(question.in);
       if (std::find(seen.begin(), seen.end(), in) != seen.end()) continue;
       seen.push_back(in);
-      const Json answer = question.op == "distance" ? Json() : answered(question);
+      const Json answer = question.op == Op::distance ? Json() : answered(question);
       if (answer.empty()) continue;
       std::vector<Json>& section = cases[question.op];
-      Json line{{"id", fmt::format("{}.broken_laws.{:05}", question.op, section.size())},
+      Json line{{"id", fmt::format("{}.broken_laws.{:05}", operations::name(question.op), section.size())},
                 {"rev", 1},
                 {"in", question.in}};
       line.update(answer);
@@ -144,12 +144,8 @@ std::string known_answer_file(const std::vector<const Finding*>& findings, std::
   }
   std::string text;
   for (const auto& [op, section] : cases) {
-    const vectors::Stratum stratum{op,
-                                   "broken_laws",
-                                   "cases in which an implementation broke a law",
-                                   static_cast<int>(section.size()),
-                                   vectors::accepted_by(op),
-                                   nullptr};
+    const vectors::Stratum stratum{op, "broken_laws", "cases in which an implementation broke a law",
+                                   static_cast<int>(section.size()), nullptr};
     Json header = Json::parse(vectors::header_line(stratum, seed, {0, section.size()}));
     header["generator"] = "tps properties";
     text += json_text(header) + "\n";

@@ -16,6 +16,12 @@
 namespace tps::properties {
 namespace {
 
+std::vector<std::string_view> operation_names(const Law& law) {
+  std::vector<std::string_view> names;
+  for (const Op op : law.operations) names.push_back(operations::name(op));
+  return names;
+}
+
 std::string shown(const Case& c) {
   std::ostringstream text;
   text << c;
@@ -47,7 +53,7 @@ const char* loud_word_for(const Outcome& outcome) {
 Json finding_json(const Finding& finding) {
   Json questions = Json::array();
   for (const Question& question : finding.questions)
-    questions.push_back({{"op", question.op}, {"in", question.in}});
+    questions.push_back({{"op", operations::name(question.op)}, {"in", question.in}});
   return {{"kind", word_for(finding.outcome)},
           {"why", finding.outcome.why},
           {"number", finding.number},
@@ -106,7 +112,7 @@ std::string state_of(const LawReport& report) {
 }  // namespace
 
 std::string command_of(const Question& question) {
-  std::string text = "tps eval " + question.op;
+  std::string text = fmt::format("tps eval {}", operations::name(question.op));
   // Words on the command line are numbers and lists of numbers.
   const bool is_plain = std::all_of(question.in.begin(), question.in.end(), [](const Json& value) {
     return value.is_string() || (value.is_array() && !value.empty() && value[0].is_string());
@@ -127,7 +133,8 @@ std::string list_text(const std::vector<const Law*>& laws) {
   std::string text;
   for (const Law* law : laws) {
     fmt::format_to(std::back_inserter(text), "{:<22} {}\n{:<22} {}; {} ({})\n", law->text.number,
-                   law->text.id, "", law->text.sentence, law->text.page, fmt::join(law->operations, ", "));
+                   law->text.id, "", law->text.sentence, law->text.page,
+                   fmt::join(operation_names(*law), ", "));
   }
   return text;
 }
@@ -136,7 +143,7 @@ std::string list_json(const std::vector<const Law*>& laws) {
   Json list = Json::array();
   for (const Law* law : laws) {
     list.push_back(law_json(law->text));
-    list.back()["operations"] = law->operations;
+    list.back()["operations"] = operation_names(*law);
   }
   return json_text(list, 1) + "\n";
 }

@@ -38,7 +38,7 @@ class Equations final : public Implementation {
   std::string name() const override { return "the equations in " + name_; }
   Format format() const override { return Format::of_bits(significant_bits(scalar_)); }
   Answer ask(const Question& question) override {
-    if (question.op != "group") return ask_equation(question, name_);
+    if (question.op != Op::group) return ask_equation(question, name_);
     const GroupedVelocities found = group_bodies(bodies_of(question.in), scalar_);
     if (!found.out_of_range.empty())
       return {Answer::Status::refused, {}, found.out_of_range + " is beyond the range of the scalar"};

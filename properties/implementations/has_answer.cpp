@@ -25,10 +25,10 @@ bool holds(const Json& value, const Format& format) {
 }  // namespace
 
 bool has_answer(const Question& question, const Format& format) {
-  if (question.op == "distance") return true;
+  if (question.op == Op::distance) return true;
   // At rest to each other a pair collides with nothing (its verdict is static): whoever finds 0/0 there may
   // say so.
-  if (question.op == "tether_response" && question.in.at("v_A") == question.in.at("v_B")) return false;
+  if (question.op == Op::tether_response && question.in.at("v_A") == question.in.at("v_B")) return false;
   const Answer certified = read_reply(protocol::reply_to(request_line(1, question)).text, 1);
   // Pulled along û with c_retract = 0 rounding decides between (4) and (5), and (5) is 0/0 there.
   if (certified.out.is_object() && certified.out.contains("boundary")) return false;

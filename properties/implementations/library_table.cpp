@@ -8,7 +8,11 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "verify/operations/catalogue.hpp"
+
 namespace tps::properties {
+
+using operations::Op;
 
 tps_implementation library_table(const std::string& path) {
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -36,22 +40,22 @@ tps_implementation library_table(const std::string& path) {
 
 std::vector<std::string> operations_in(const tps_implementation& table) {
   std::vector<std::string> names;
-  const auto add = [&](const char* op, bool is_there) {
-    if (is_there) names.emplace_back(op);
+  const auto add = [&](Op op, bool is_there) {
+    if (is_there) names.emplace_back(operations::name(op));
   };
-  add("block_time", table.block_time != nullptr);
-  add("tether_time", table.tether_time != nullptr);
-  add("order", table.order != nullptr);
-  add("apply_impulse", table.apply_impulse != nullptr);
-  add("collision_impulse", table.collision_impulse != nullptr);
-  add("revolution_impulse", table.revolution_impulse != nullptr);
-  add("tether_response", table.tether_response != nullptr);
-  add("load", table.load != nullptr);
-  add("restitution_impulse", table.restitution_impulse != nullptr);
-  add("group", table.group != nullptr);
-  add("wall_time", table.wall_time != nullptr);
-  add("drag_time", table.drag_time != nullptr);
-  add("rough_impulse", table.rough_impulse != nullptr);
+  add(Op::block_time, table.block_time != nullptr);
+  add(Op::tether_time, table.tether_time != nullptr);
+  add(Op::order, table.order != nullptr);
+  add(Op::apply_impulse, table.apply_impulse != nullptr);
+  add(Op::collision_impulse, table.collision_impulse != nullptr);
+  add(Op::revolution_impulse, table.revolution_impulse != nullptr);
+  add(Op::tether_response, table.tether_response != nullptr);
+  add(Op::load, table.load != nullptr);
+  add(Op::restitution_impulse, table.restitution_impulse != nullptr);
+  add(Op::group, table.group != nullptr);
+  add(Op::wall_time, table.wall_time != nullptr);
+  add(Op::drag_time, table.drag_time != nullptr);
+  add(Op::rough_impulse, table.rough_impulse != nullptr);
   return names;
 }
 

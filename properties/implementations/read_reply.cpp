@@ -61,7 +61,7 @@ std::string words(const Json& value, std::size_t longest) {
 }
 
 std::string request_line(std::uint64_t seq, const Question& question) {
-  return json_text(Json{{"seq", seq}, {"op", question.op}, {"in", question.in}});
+  return json_text(Json{{"seq", seq}, {"op", operations::name(question.op)}, {"in", question.in}});
 }
 
 Answer read_reply(std::string_view line, std::uint64_t seq) {

@@ -33,36 +33,43 @@ class Request {
  public:
   Request(const tps_implementation& table, const Json& in) : table_(table), in_(in) {}
 
-  Json answer(const std::string& op) {
-    if (op == "block_time") return time(table_.block_time);
-    if (op == "tether_time") return time(table_.tether_time);
-    if (op == "order") return order();
-    if (op == "apply_impulse") return apply_impulse();
-    if (op == "collision_impulse") {
-      call(table_.collision_impulse, &read_pair(in_), m_A(), m_B(), number("c"), dp_.data());
-      return {{"dp", vector(dp_)}};
+  Json answer(Op op) {
+    switch (op) {
+      case Op::block_time:
+        return time(table_.block_time);
+      case Op::tether_time:
+        return time(table_.tether_time);
+      case Op::order:
+        return order();
+      case Op::apply_impulse:
+        return apply_impulse();
+      case Op::collision_impulse:
+        call(table_.collision_impulse, &read_pair(in_), m_A(), m_B(), number("c"), dp_.data());
+        return {{"dp", vector(dp_)}};
+      case Op::revolution_impulse:
+        call(table_.revolution_impulse, &read_pair(in_), m_A(), m_B(), number("c_revolve"),
+             number("theta_revolve_deg"), dp_.data());
+        return {{"dp", vector(dp_)}};
+      case Op::tether_response:
+        return tether_response();
+      case Op::load:
+        return load();
+      case Op::restitution_impulse:
+        return restitution_impulse();
+      case Op::group:
+        return group();
+      case Op::wall_time:
+        return wall_time();
+      case Op::drag_time:
+        return drag_time();
+      case Op::rough_impulse:
+        return rough_impulse();
+      case Op::distance:
+      case Op::paper_time:
+      case Op::next_event:
+      case Op::simulate:
+        break;
     }
-    if (op == "revolution_impulse") {
-      call(table_.revolution_impulse, &read_pair(in_), m_A(), m_B(), number("c_revolve"),
-           number("theta_revolve_deg"), dp_.data());
-      return {{"dp", vector(dp_)}};
-    }
-    if (op == "tether_response") return tether_response();
-    if (op == "load") {
-      const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B");
-      call(table_.load, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), new_A_.data());
-      return {{"v_load", vector(new_A_)}};
-    }
-    if (op == "restitution_impulse") {
-      const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B"), dp = read_vector(in_, "dp");
-      call(table_.restitution_impulse, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), dp.data(),
-           dp_.data());
-      return {{"dp_AB", vector(dp_)}};
-    }
-    if (op == "group") return group();
-    if (op == "wall_time") return wall_time();
-    if (op == "drag_time") return drag_time();
-    if (op == "rough_impulse") return rough_impulse();
     throw NotOffered{};
   }
 
@@ -169,6 +176,18 @@ class Request {
     return {{"v_A", vector(new_A_)}, {"v_B", vector(new_B_)}};
   }
 
+  Json load() {
+    const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B");
+    call(table_.load, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), new_A_.data());
+    return {{"v_load", vector(new_A_)}};
+  }
+
+  Json restitution_impulse() {
+    const Vec3 v_A = read_vector(in_, "v_A"), v_B = read_vector(in_, "v_B"), dp = read_vector(in_, "dp");
+    call(table_.restitution_impulse, dimension_, m_A(), m_B(), v_A.data(), v_B.data(), dp.data(), dp_.data());
+    return {{"dp_AB", vector(dp_)}};
+  }
+
   Json tether_response() {
     tps_response kind{};
     call(table_.tether_response, &read_pair(in_), m_A(), m_B(), number("c_retract"), number("c_revolve"),
@@ -215,7 +234,9 @@ Json reply_to(const tps_implementation& table, const Json& request) {
     return {{"name", table.name}, {"bits", table.bits}, {"ops", operations_in(table)}, {"group", "inner"}};
   Json reply{{"seq", request.value("seq", Json())}};
   try {
-    reply["out"] = Request(table, request.at("in")).answer(request.at("op").get<std::string>());
+    const operations::Operation* operation = operations::find(request.at("op").get<std::string>());
+    if (operation == nullptr) throw NotOffered{};
+    reply["out"] = Request(table, request.at("in")).answer(operation->op);
   } catch (const NotOffered&) {
     reply["skip"] = "unknown_op";
   } catch (const Refused&) {

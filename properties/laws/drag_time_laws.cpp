@@ -104,7 +104,7 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const auto add = [&laws](const char* id, const char* number, const char* sentence, const auto& check) {
-    laws.push_back({{id, number, sentence, "docs/effects.md"}, {"drag_time"}, cases(a_clock), check});
+    laws.push_back({{id, number, sentence, "docs/effects.md"}, {Op::drag_time}, cases(a_clock), check});
   };
   add("DragLaws.Law1AtTheStartBothAreZero", "drag law 1", "s = 0 is t = 0, bitwise",
       at_the_start_both_are_zero);

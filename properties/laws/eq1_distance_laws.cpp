@@ -49,16 +49,16 @@ Outcome equal_velocities_keep_it(Interview& ask, const Case& c) {
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq1.md";
   laws.push_back({{"Eq1Laws.Law1SwapOfNames", "(1) law 1", "A and B may be exchanged, bitwise", page},
-                  {"distance"},
+                  {Op::distance},
                   cases(flight),
                   swap_of_distance});
   laws.push_back({{"Eq1Laws.Law2NowItIsTheSeparation", "(1) law 2", "at dt = 0 it is |u_B − u_A|", page},
-                  {"distance"},
+                  {Op::distance},
                   cases(flight),
                   now_is_the_separation});
   laws.push_back({{"Eq1Laws.Law3EqualVelocitiesKeepIt", "(1) law 3",
                    "equal velocities keep the distance constant, to rounding", page},
-                  {"distance"},
+                  {Op::distance},
                   cases(flight),
                   equal_velocities_keep_it});
 }

@@ -9,7 +9,9 @@
 namespace tps::properties::invariance {
 namespace {
 
-const std::vector<std::string> kBoth{"block_time", "tether_time"};
+std::vector<Op> both() {
+  return {Op::block_time, Op::tether_time};
+}
 
 /// Each query answers alike, bitwise, about the case's pair and another one.
 Outcome same_times(Interview& ask, const std::string& what, const Case& c, const PairState& other) {
@@ -136,7 +138,7 @@ Outcome galilean_shifts(Interview& ask, const Case& c) {
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq2.md";
   laws.push_back({{"Eq2Laws.Law1SwapOfNames", "(2) law 1", "A and B may be exchanged, bitwise", page},
-                  kBoth,
+                  both(),
                   cases(put_pair),
                   swap_of_names,
                   kOfEach});
@@ -145,18 +147,18 @@ void add_laws(std::vector<Law>& laws) {
         "lengths and velocities times 2^k leave verdict and t as they are, velocities alone divide t by "
         "2^k, bitwise",
         page},
-       kBoth,
+       both(),
        cases(with_powers),
        powers_of_two,
        kOfEach});
   laws.push_back({{"Eq2Laws.Law7Reflections", "(2) law 7", "axes may be reflected, bitwise", page},
-                  kBoth,
+                  both(),
                   cases(with_signs),
                   reflections,
                   kOfEach});
   laws.push_back({{"Eq2Laws.Law8Rotations", "(2) law 8",
                    "axes may be exchanged: bitwise in the plane, to rounding in space", page},
-                  kBoth,
+                  both(),
                   cases(with_rotation),
                   rotations,
                   kOfEach});
@@ -165,7 +167,7 @@ void add_laws(std::vector<Law>& laws) {
         "a common offset of positions, and one of velocities, matter to nothing where they are exact, "
         "bitwise",
         page},
-       kBoth,
+       both(),
        cases(in_motion),
        galilean_shifts,
        kOfEach});

@@ -123,7 +123,7 @@ Outcome agrees_with_times(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/exact.md";
-  const std::vector<std::string> order{"order"}, and_times{"order", "block_time", "tether_time"};
+  const std::vector<Op> order{Op::order}, and_times{Op::order, Op::block_time, Op::tether_time};
   laws.push_back({{"OrderLaws.Law1ExchangedItIsReversed", "order law 1",
                    "second to first is the reverse of first to second", page},
                   order,

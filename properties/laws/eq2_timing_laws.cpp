@@ -10,7 +10,9 @@
 namespace tps::properties::timing {
 namespace {
 
-const std::vector<std::string> kBoth{"block_time", "tether_time"};
+std::vector<Op> both() {
+  return {Op::block_time, Op::tether_time};
+}
 
 /// Holds for each kind of limit.
 template <typename Check>
@@ -55,7 +57,8 @@ Outcome a_time_goes_with_its_verdict(Interview& ask, const Case& c) {
     if (now) return at.t && *at.t == 0 ? Outcome{} : broken(text(at) + "; it is at once: t = 0");
     if (never) return !at.t ? Outcome{} : broken(text(at) + "; it has no time");
     if (later) return at.t && *at.t >= 0 ? Outcome{} : broken(text(at) + "; its time is at least 0");
-    return broken((block ? "block_time" : "tether_time") + std::string(" has no verdict ") + at.verdict);
+    return broken(std::string(operations::name(operations::timing_of(q.kind))) + " has no verdict " +
+                  at.verdict);
   });
 }
 
@@ -77,20 +80,20 @@ void add_laws(std::vector<Law>& laws) {
   laws.push_back(
       {{"Eq2Laws.Law3ALargerLimitIsNotLater", "(2) law 3",
         "a larger L is never reached later, where the limits are farther apart than landings err", page},
-       {"block_time"},
+       {Op::block_time},
        cases(two_limits),
        a_larger_limit_is_not_later});
   laws.push_back(
       {{"Eq2Laws.Law4AHitIsAtTheLimit", "(2) law 4",
         "at the time of a hit the distance is L to 20u (|r| + L), at that of a turning r·v = 0", page},
-       kBoth,
+       both(),
        cases(put_pair),
        a_hit_is_at_the_limit,
        kOfEach});
   laws.push_back(
       {{"Eq2Laws.Law5ATimeGoesWithItsVerdict", "(2) law 5",
         "t is 0 where the verdict is at once, absent where nothing occurs, at least 0 elsewhere", page},
-       kBoth,
+       both(),
        cases(put_pair),
        a_time_goes_with_its_verdict,
        kOfEach});
@@ -98,7 +101,7 @@ void add_laws(std::vector<Law>& laws) {
                    "where rounding cannot decide, by the errors of a stable evaluation or since there is "
                    "none, the verdict is the exact one",
                    page},
-                  kBoth,
+                  both(),
                   cases(put_pair),
                   away_from_boundaries_the_verdict_is_right,
                   kOfEach});

@@ -76,7 +76,7 @@ Outcome swap_of_names(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq3.md";
-  const std::vector<std::string> operation{"apply_impulse"};
+  const std::vector<Op> operation{Op::apply_impulse};
   laws.push_back(
       {{"Eq3Laws.Law1MomentumIsConserved", "(3) law 1",
         "m_A v_A + m_B v_B is conserved, each component to u (4|Δp| + m_A|v_A'| + m_B|v_B'|)", page},

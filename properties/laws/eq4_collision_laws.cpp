@@ -83,7 +83,7 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq4.md";
-  const std::vector<std::string> operation{"collision_impulse"};
+  const std::vector<Op> operation{Op::collision_impulse};
   laws.push_back({{"Eq4Laws.Law1NormalVelocityTurnsByCAndTangentialStays", "(4) law 1",
                    "afterwards v_n' = −c v_n along û and v_ŵ' = v_ŵ across it, to 20u (1 + c)|v_AB|", page},
                   operation,

@@ -94,7 +94,7 @@ void add_laws(std::vector<Law>& laws) {
   laws.push_back({{"OrbitLaws.Law1FourEventsARevolutionAt45Degrees", "(5) law 6",
                    "at θ = 45° a pair on its orbit is back after four revolution events, slower by c_revolve",
                    "docs/eq5.md"},
-                  {"tether_response", "tether_time"},
+                  {Op::tether_response, Op::tether_time},
                   cases(orbiting_pair),
                   four_events_a_revolution});
 }

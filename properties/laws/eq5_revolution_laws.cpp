@@ -97,7 +97,7 @@ Outcome powers_of_two(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq5.md";
-  const std::vector<std::string> operation{"revolution_impulse"};
+  const std::vector<Op> operation{Op::revolution_impulse};
   laws.push_back({{"Eq5Laws.Law1ClosesAtThetaFromPerpendicular", "(5) law 1",
                    "afterwards the pair closes at exactly θ from perpendicular, in the sense of v_ŵ", page},
                   operation,

@@ -135,7 +135,7 @@ Outcome the_names_may_be_exchanged(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const auto add = [&laws](const char* id, const char* number, const char* sentence, const auto& check) {
-    laws.push_back({{id, number, sentence, "docs/eq5.md"}, {"tether_response"}, cases(pulled_pair), check});
+    laws.push_back({{id, number, sentence, "docs/eq5.md"}, {Op::tether_response}, cases(pulled_pair), check});
   };
   add("TetherResponseLaws.Law1TheAnswerIsThatOfItsEquation", "tether response law 1",
       "a retraction is eq. (4) with c_retract, a revolution is eq. (5)", the_answer_is_that_of_its_equation);

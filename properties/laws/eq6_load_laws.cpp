@@ -75,7 +75,7 @@ Outcome an_infinite_mass_takes_the_other_along(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const auto add = [&laws](const char* id, const char* number, const char* sentence, const auto& check) {
-    laws.push_back({{id, number, sentence, "docs/eq6.md"}, {"load"}, cases(loaded_pair), check});
+    laws.push_back({{id, number, sentence, "docs/eq6.md"}, {Op::load}, cases(loaded_pair), check});
   };
   add("Eq6Laws.Law1MomentumOfThePairIsThatOfTheGroup", "(6) law 1",
       "(m_A + m_B) v_load = m_A v_A + m_B v_B, to 5u of the terms", momentum_of_the_pair);

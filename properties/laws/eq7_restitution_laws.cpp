@@ -77,17 +77,17 @@ void add_laws(std::vector<Law>& laws) {
   const std::string page = "docs/eq7.md";
   laws.push_back({{"Eq7Laws.Law1LoadAndRestitutionAreTheCollision", "(7) law 1",
                    "(6) and (7) with (3) give the velocities of (3) with Δp alone, to rounding", page},
-                  {"load", "restitution_impulse", "apply_impulse"},
+                  {Op::load, Op::restitution_impulse, Op::apply_impulse},
                   cases(pair_with_impulse),
                   load_and_restitution_are_the_collision});
   laws.push_back({{"Eq7Laws.Law2TheEnergyKept", "(7) law 2",
                    "loading keeps |Δp_AB|²/2μ of the kinetic energy that (3) would leave", page},
-                  {"load", "restitution_impulse"},
+                  {Op::load, Op::restitution_impulse},
                   cases(pair_with_impulse),
                   the_energy_kept});
   laws.push_back({{"Eq7Laws.Law3TheImpulseIsOppositeForTheOther", "(7) law 3",
                    "exchanging A and B flips Δp_AB, bitwise", page},
-                  {"restitution_impulse"},
+                  {Op::restitution_impulse},
                   cases(pair_with_impulse),
                   the_impulse_is_opposite});
 }

@@ -140,7 +140,7 @@ Outcome sibling_order_is_irrelevant(Interview& ask, const Case& c) {
 
 void add_laws(std::vector<Law>& laws) {
   const auto add = [&laws](const char* id, const char* number, const char* sentence, const auto& check) {
-    laws.push_back({{id, number, sentence, "docs/protocol.md"}, {"group"}, cases(put_group), check});
+    laws.push_back({{id, number, sentence, "docs/protocol.md"}, {Op::group}, cases(put_group), check});
   };
   add("GroupLaws.Law1VelocitiesAreThoseOfNestedEquations", "group law 1",
       "velocities while loaded and after restitution are those of (4), (6), (7) and (3), nested",

@@ -244,7 +244,7 @@ Outcome the_first_axis_may_be_mirrored(Interview& ask, const Case& c) {
 void add_laws(std::vector<Law>& laws) {
   const auto add = [&laws](const char* id, const char* number, const char* sentence, const auto& check) {
     laws.push_back(
-        {{id, number, sentence, "docs/effects.md"}, {"rough_impulse"}, cases(rubbing_pair), check});
+        {{id, number, sentence, "docs/effects.md"}, {Op::rough_impulse}, cases(rubbing_pair), check});
   };
   add("RoughLaws.Law1TheImpulseIsOfBothEquations", "rough law 1",
       "along û Δp is that of eq. (4), across it min(μ |J_n|, κ (1 + β₀) m |g_t|) along g_t",

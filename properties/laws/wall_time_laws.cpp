@@ -180,13 +180,13 @@ void add_laws(std::vector<Law>& laws) {
   using Fill = void (*)(Case&, const Format&);
   using Check = Outcome (*)(Interview&, const Case&, const Format&);
   const auto add = [&laws](const char* id, const char* number, const char* sentence,
-                           const std::vector<std::string>& operations, Fill fill, Check check) {
+                           const std::vector<Op>& operations, Fill fill, Check check) {
     laws.push_back({{id, number, sentence, "docs/effects.md"},
                     operations,
                     cases(fill),
                     [check](Interview& ask, const Case& c) { return check(ask, c, ask.format()); }});
   };
-  const std::vector<std::string> wall{"wall_time"};
+  const std::vector<Op> wall{Op::wall_time};
   add("WallLaws.Law1TheWayFlownIsTheGap", "wall law 1",
       "−n·v t is n·r − L, to 6u (Σ|n_k r_k| + L) and 7u of the way; at once is at the limit or behind it",
       wall, before_a_plane, the_way_is_the_gap);
@@ -202,8 +202,8 @@ void add_laws(std::vector<Law>& laws) {
       "from one distance to another it takes their difference over −n·v", wall, before_a_plane,
       linear_in_the_distance);
   add("WallLaws.Law6HeadOnItIsTheBlockTime", "wall law 6",
-      "straight from above it is the time of a pair whose A does not respond", {"wall_time", "block_time"},
-      head_on, head_on_it_is_the_block_time);
+      "straight from above it is the time of a pair whose A does not respond",
+      {Op::wall_time, Op::block_time}, head_on, head_on_it_is_the_block_time);
 }
 
 }  // namespace tps::properties::wall

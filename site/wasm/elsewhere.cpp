@@ -3,7 +3,7 @@
 
 #include "reference/run/run_scalar.hpp"
 #include "reference/scalars.hpp"
-#include "verify/eval/evaluate.hpp"
+#include "verify/operations/evaluate.hpp"
 
 namespace tps {
 namespace {
@@ -35,7 +35,7 @@ RunSummary run_in<Mp100>(const Scene&, const RunOptions&, const ResumePoint*) {
   lacking("mp100");
 }
 
-namespace eval {
+namespace operations {
 
 template <>
 Report evaluate_in<long double>(const Operation&, const Input&, std::string_view, Detail) {
@@ -50,5 +50,5 @@ Report evaluate_in<Mp100>(const Operation&, const Input&, std::string_view, Deta
   lacking("mp100");
 }
 
-}  // namespace eval
+}  // namespace operations
 }  // namespace tps

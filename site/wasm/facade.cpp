@@ -18,11 +18,10 @@
 #include "reference/text/json_document.hpp"
 #include "reference/text/plain_json.hpp"
 #include "verify/certified/exact_timing.hpp"
-#include "verify/certified/timing_input.hpp"
-#include "verify/eval/evaluate.hpp"
-#include "verify/eval/input.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/operations/compound_input.hpp"
+#include "verify/operations/evaluate.hpp"
 #include "verify/scenes/registry.hpp"
 #include "verify/vectors/generate.hpp"
 #include "verify/vectors/known_answer.hpp"
@@ -31,6 +30,8 @@ namespace tps::web {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using operations::Op;
+using operations::Operation;
 
 const std::string kSource = "the request";
 
@@ -52,22 +53,23 @@ std::optional<double> number(const JsonValue& request, const char* key) {
   return value->number()->value;
 }
 
-Json operations() {
+Json operations_json() {
   Json list = Json::array();
-  for (const eval::Operation& operation : eval::operations()) {
+  for (const Operation& operation : operations::catalogue()) {
+    if (!operations::is_of_numbers(operation)) continue;
     list.push_back({{"name", operation.name},
-                    {"equation", operation.equation},
+                    {"equation", operation.rule},
                     {"what", operation.what},
                     {"keys", operation.keys}});
   }
   return {{"operations", list}};
 }
 
-Json quantities_json(const std::vector<eval::Quantity>& quantities) {
+Json quantities_json(const std::vector<operations::Quantity>& quantities) {
   Json list = Json::array();
-  for (const eval::Quantity& q : quantities) {
+  for (const operations::Quantity& q : quantities) {
     Json decimal = Json::array(), hex = Json::array();
-    for (const eval::Number& n : q.numbers) {
+    for (const operations::Number& n : q.numbers) {
       decimal.push_back(n.decimal);
       hex.push_back(n.hex);
     }
@@ -82,46 +84,48 @@ Json quantities_json(const std::vector<eval::Quantity>& quantities) {
   return list;
 }
 
-Json evaluated(const JsonValue& request) {
-  const eval::Operation* operation = eval::find_operation(text(request, "op"));
+const Operation& operation_in(const JsonValue& request) {
+  const Operation* operation = operations::find(text(request, "op"));
   if (operation == nullptr) throw std::invalid_argument("no operation " + text(request, "op"));
-  const eval::Input input = eval::read_value(*operation, member(request, "in"), kSource, "/in");
-  const eval::Report report = eval::evaluate(*operation, input, text(request, "scalar"));
+  return *operation;
+}
+
+/// Where the numbers of a request stand.
+operations::Place in_request() {
+  return {kSource, "/in"};
+}
+
+operations::Input input_in(const JsonValue& request, const Operation& operation) {
+  return operations::read_value(operation, member(request, "in"), in_request());
+}
+
+Json evaluated(const JsonValue& request) {
+  const Operation& operation = operation_in(request);
+  if (!operations::is_of_numbers(operation))
+    throw std::invalid_argument(text(request, "op") + " is not evaluated in a scalar");
+  const operations::Report report =
+      operations::evaluate(operation, input_in(request, operation), text(request, "scalar"));
   return {{"steps", quantities_json(report.steps)}, {"results", quantities_json(report.results)}};
 }
 
-exact::TimingQuery timing(const JsonValue& in, std::string_view kind, const std::string& pointer) {
-  if (kind != "block" && kind != "tether")
-    throw std::invalid_argument("\"kind\" is neither \"block\" nor \"tether\"");
-  const bool block = kind == "block";
-  const eval::Operation& operation = *eval::find_operation(block ? "block_time" : "tether_time");
-  return certified::TimingInput{
-      block ? exact::Kind::block : exact::Kind::tether,
-      eval::read_object(operation.name, operation.keys, in, kSource, pointer, "kind")}
-      .query();
-}
-
 Json certified_answer(const JsonValue& request) {
-  const std::string& op = text(request, "op");
-  const JsonValue& in = member(request, "in");
+  const Operation& operation = operation_in(request);
   exact::Counters counters;
-  if (op == "order") {
-    const JsonValue &first = member(in, "first"), &second = member(in, "second");
-    return {{"order",
-             exact::name(exact::time_order(timing(first, text(first, "kind"), "/in/first"),
-                                           timing(second, text(second, "kind"), "/in/second"), counters))}};
+  if (operation.op == Op::order) {
+    const operations::OrderInput input = operations::read_order(member(request, "in"), in_request());
+    return {{"order", exact::name(exact::time_order(input.first.query(), input.second.query(), counters))}};
   }
-  if (op != "block_time" && op != "tether_time")
-    throw std::invalid_argument("certified answers are to block_time, tether_time and order");
+  const auto kind = operations::timing_kind(operation.op);
+  if (!kind) throw std::invalid_argument("certified answers are to times at a limit and to order");
   const exact::TimingAnswer answered =
-      exact::rounded_time(timing(in, op == "block_time" ? "block" : "tether", "/in"), counters);
+      exact::rounded_time(operations::TimingInput{*kind, input_in(request, operation)}.query(), counters);
   return {{"verdict", name(answered.verdict)},
           {"t", answered.t ? Json(to_hex<double>(*answered.t)) : Json()}};
 }
 
 /// The question of a request in hexadecimal floats, as files of known answers have it.
-Json question(const eval::Operation& operation, const JsonValue& request) {
-  const eval::Input input = eval::read_value(operation, member(request, "in"), kSource, "/in");
+Json question(const Operation& operation, const JsonValue& request) {
+  const operations::Input input = input_in(request, operation);
   Json in = Json::object();
   for (const std::string& key : operation.keys) {
     const std::vector<double>& x = input.values.at(key);
@@ -132,11 +136,11 @@ Json question(const eval::Operation& operation, const JsonValue& request) {
 
 /// A file of one known answer: its header and its case.
 Json known_answer(const JsonValue& request) {
-  const std::string& op = text(request, "op");
-  const eval::Operation* operation = eval::find_operation(op);
-  if (operation == nullptr || op == "distance")
+  const Operation& operation = operation_in(request);
+  const std::string op(operation.name);
+  if (operation.op == Op::distance || !operations::is_of_numbers(operation))
     throw std::invalid_argument("known answers are of eqs. (2) to (7), not of " + op);
-  const Json in = question(*operation, request);
+  const Json in = question(operation, request);
   const Json header{{"schema", "vectors"},
                     {"version", vectors::kVectorsVersion},
                     {"semantics", 1},
@@ -148,17 +152,16 @@ Json known_answer(const JsonValue& request) {
                     {"first", 0},
                     {"count", 1}};
   Json known{{"id", op + ".page.00000"}, {"rev", 1}, {"in", in}};
-  known.update(vectors::known_answer(op, in));
+  known.update(vectors::known_answer(operation.op, in));
   known["tags"] = Json::array({"page"});
   known["level"] = 3;
-  known["accept"] = vectors::accepted_by(op);
+  known["accept"] = vectors::accepted_by(operation.op);
   return {{"header", header}, {"case", known}};
 }
 
 /// Where A and B are at a time: the inside of eq. (1)'s root, for pictures.
 Json flown(const JsonValue& request) {
-  const eval::Operation& operation = *eval::find_operation("distance");
-  const eval::Input input = eval::read_value(operation, member(request, "in"), kSource, "/in");
+  const operations::Input input = input_in(request, operations::operation(Op::distance));
   const double t = input.values.at("dt")[0];
   Json places;
   for (const auto& [place, u, v] : {std::array{"A", "u_A", "v_A"}, std::array{"B", "u_B", "v_B"}}) {
@@ -207,7 +210,7 @@ Json answered(std::string_view text_of_request) {
   const JsonDocument document = parse_json(text_of_request, kSource);
   document.problems.throw_if_any();
   const std::string& what = text(document.root, "do");
-  if (what == "operations") return operations();
+  if (what == "operations") return operations_json();
   if (what == "eval") return evaluated(document.root);
   if (what == "certified") return certified_answer(document.root);
   if (what == "known_answer") return known_answer(document.root);

@@ -6,10 +6,12 @@
 
 #include "reference/text/input_error.hpp"
 #include "verify/certified/certified_response.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
+
+using operations::GroupInput;
 
 /// X flies at Y and Z, which are at rest and touch; m_Y = m/1000 to scale, so that all masses are doubles.
 GroupInput chain(double c) {
@@ -42,16 +44,16 @@ TEST(CertifiedGroup, APairPartsAsIfItHadNotBeenLoaded) {
   input.bodies = {{3, {0, 0, 0}, {1, 2, 3}}, {5, {1, 2, 2}, {-1, 0, 0.1}}};
   input.collisions = {{0, 1, false, 0.7}};
   const GroupResponse grouped = certified_group(input);
-  const eval::Operation& eq4 = *eval::find_operation("collision_impulse");
-  const eval::Operation& eq3 = *eval::find_operation("apply_impulse");
-  eval::Input in{3,
-                 {{"u_A", {0, 0, 0}},
-                  {"u_B", {1, 2, 2}},
-                  {"v_A", {1, 2, 3}},
-                  {"v_B", {-1, 0, 0.1}},
-                  {"m_A", {3}},
-                  {"m_B", {5}},
-                  {"c", {0.7}}}};
+  const operations::Operation& eq4 = *operations::find("collision_impulse");
+  const operations::Operation& eq3 = *operations::find("apply_impulse");
+  operations::Input in{3,
+                       {{"u_A", {0, 0, 0}},
+                        {"u_B", {1, 2, 2}},
+                        {"v_A", {1, 2, 3}},
+                        {"v_B", {-1, 0, 0.1}},
+                        {"m_A", {3}},
+                        {"m_B", {5}},
+                        {"c", {0.7}}}};
   const EnclosedVector dp = certified_response(eq4.op, in).values.at("dp");
   in.values["dp"] = {dp[0].nearest, dp[1].nearest, dp[2].nearest};
   const Response free = certified_response(eq3.op, in);
@@ -91,7 +93,7 @@ TEST(CertifiedGroup, TetheringCollisionsRetractOrRevolve) {
 std::string refusal(const GroupInput& input) {
   try {
     certified_group(input);
-  } catch (const eval::NoAnswer& why) {
+  } catch (const operations::NoAnswer& why) {
     const InputError error = why.in("", 0, "");
     return error.what();
   }

@@ -9,8 +9,9 @@
 
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/input_error.hpp"
-#include "verify/eval/evaluate.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/domain.hpp"
+#include "verify/operations/evaluate.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
@@ -29,22 +30,22 @@ class Generator {
   }
   int pick(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(bits_); }
 
-  eval::Input input(const eval::Operation& operation) {
-    eval::Input in;
+  operations::Input input(const operations::Operation& operation) {
+    operations::Input in;
     in.dimension = pick(2, 3);
     for (const std::string& key : operation.keys) {
-      switch (eval::domain_of(key)) {
-        case eval::Domain::vector:
+      switch (operations::domain_of(key)) {
+        case operations::Domain::vector:
           in.values[key] = vector(in.dimension);
           break;
-        case eval::Domain::mass:
+        case operations::Domain::mass:
           in.values[key] = {key == "m_B" && pick(0, 4) == 0 ? HUGE_VAL
                                                             : std::ldexp(uniform(1, 2), pick(-20, 20))};
           break;
-        case eval::Domain::spin:
+        case operations::Domain::spin:
           in.values[key] = vector(in.dimension == 2 ? 1 : 3);
           break;
-        case eval::Domain::angle:
+        case operations::Domain::angle:
           in.values[key] = {pick(0, 1) == 0 ? uniform(1e-6, 89.99) : pick(1, 5) * 15.0};
           break;
         default:
@@ -73,10 +74,10 @@ TEST(CertifiedResponse, EnclosesTheReferenceIn100Digits) {
   Generator generator(20);
   int components = 0;
   for (int n = 0; n < 1050; ++n) {
-    const eval::Operation& operation = *eval::find_operation(kOperations[n % 7]);
-    const eval::Input input = generator.input(operation);
+    const operations::Operation& operation = *operations::find(kOperations[n % 7]);
+    const operations::Input input = generator.input(operation);
     const Response response = certified_response(operation.op, input);
-    for (const eval::Quantity& q : eval::evaluate(operation, input, "mp100").results) {
+    for (const operations::Quantity& q : operations::evaluate(operation, input, "mp100").results) {
       if (!q.word.empty()) {
         EXPECT_EQ(response.kind, q.word);
         continue;
@@ -100,8 +101,8 @@ TEST(CertifiedResponse, EnclosesTheReferenceIn100Digits) {
 }
 
 Response respond(const char* name, const std::vector<std::string>& words) {
-  const eval::Operation& operation = *eval::find_operation(name);
-  return certified_response(operation.op, eval::read_words(operation, words));
+  const operations::Operation& operation = *operations::find(name);
+  return certified_response(operation.op, operations::read_words(operation, words));
 }
 
 void expect_double(const Enclosure& e, double x) {
@@ -193,7 +194,7 @@ TEST(CertifiedResponse, InfiniteMassesAndTheEndsOfTheRange) {
 TEST(CertifiedResponse, EquationFiveNeedsTangentialMotion) {
   const std::vector<std::string> radial = {"u_A=0,0", "u_B=1,3", "v_A=0,0",     "v_B=2,6",
                                            "m_A=1",   "m_B=1",   "c_revolve=1", "theta_revolve_deg=45"};
-  EXPECT_THROW(respond("revolution_impulse", radial), eval::NoAnswer);
+  EXPECT_THROW(respond("revolution_impulse", radial), operations::NoAnswer);
 }
 
 }  // namespace

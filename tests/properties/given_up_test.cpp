@@ -14,7 +14,7 @@ std::unique_ptr<Implementation> shell(const std::string& act, std::chrono::milli
       {timeout, std::nullopt});
 }
 
-const Question kQuestion{"load", Json::object()};
+const Question kQuestion{Op::load, Json::object()};
 
 TEST(GivenUp, AfterAFewHangs) {
   const auto hangs = shell("sleep 1000", std::chrono::milliseconds(50));

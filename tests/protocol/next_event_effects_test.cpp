@@ -24,7 +24,8 @@ using properties::runs::SmallScene;
 
 json asked(const Scene& scene) {
   const std::string in = "{\"scene\":" + write_scene(scene) + "}";
-  return json::parse(answer_text("next_event", parse_json(in, "it").root, "it", ""));
+  const std::string source = "it";
+  return json::parse(answer_text(operations::Op::next_event, parse_json(in, source).root, {source, ""}));
 }
 
 double largest_speed(const NextEvent& event) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "verify/eval/evaluate.hpp"
+#include "verify/operations/evaluate.hpp"
 #include "verify/vectors/generate.hpp"
 
 namespace tps::vectors {
@@ -22,7 +22,7 @@ Json timing_case() {
 }
 
 bool passes(const Json& known, const Json& out) {
-  return !wrong_in_answer("block_time", known, out);
+  return !wrong_in_answer(Op::block_time, known, out);
 }
 
 Json time_off_by(double units) {
@@ -56,7 +56,7 @@ TEST(Judging, UIsCountedInUnitsOfTheLastPlace) {
 TEST(Judging, NamesWhatIsWrong) {
   const Json known = timing_case();
   const auto wrong = [&](const Json& out) {
-    return wrong_in_answer("block_time", known, out).value_or("nothing");
+    return wrong_in_answer(Op::block_time, known, out).value_or("nothing");
   };
   EXPECT_EQ(wrong({{"verdict", "miss"}, {"t", nullptr}}), R"(verdict is "miss"; it is "hit")");
   EXPECT_EQ(wrong({{"t", nullptr}}), R"(t is absent; the event is at "0x1p+0")");
@@ -77,23 +77,24 @@ TEST(Judging, EitherResponsePassesAtABoundary) {
       for (const auto& [key, ends] : answer["out"].items()) {
         for (const Json& end : ends) out[key].push_back(end[0]);
       }
-      EXPECT_FALSE(wrong_in_answer("tether_response", known, out)) << out.dump();
+      EXPECT_FALSE(wrong_in_answer(Op::tether_response, known, out)) << out.dump();
       out["kind"] = "break";
-      EXPECT_TRUE(wrong_in_answer("tether_response", known, out));
+      EXPECT_TRUE(wrong_in_answer(Op::tether_response, known, out));
     }
   }
 }
 
 /// The reference's own equations in double.
-Json answer_in_double(const std::string& op, const Json& in) {
-  const eval::Operation& operation = *eval::find_operation(op);
-  eval::Input input;
+Json answer_in_double(Op op, const Json& in) {
+  const operations::Operation& operation = operations::operation(op);
+  operations::Input input;
   for (const std::string& key : operation.keys) {
     const bool is_vector = in.at(key).is_array();
     input.values[key] = is_vector ? read_vector(in.at(key)) : std::vector<double>{read_number(in.at(key))};
     if (is_vector) input.dimension = static_cast<int>(in.at(key).size());
   }
-  return Json::parse(eval::report_json(operation, "double", eval::evaluate(operation, input, "double")))
+  return Json::parse(operations::report_json(operation.name, "double",
+                                             operations::evaluate(operation, input, "double")))
       .at("out");
 }
 
@@ -102,12 +103,13 @@ Json answer_in_double(const std::string& op, const Json& in) {
 TEST(Judging, TheReferenceInDoublePassesWhereDoublesSuffice) {
   int judged = 0;
   for (const Stratum& stratum : strata()) {
-    if (stratum.op == "order" || stratum.op == "group") continue;
+    if (stratum.op == Op::order || stratum.op == Op::group) continue;
     if (stratum.name != "plain" && stratum.name != "planar" && stratum.name != "masses" &&
         stratum.name != "offset_origin" && stratum.name != "coefficients") {
       continue;
     }
-    if (stratum.op.ends_with("_time") && stratum.name != "plain") continue;
+    if (operations::operation(stratum.op).answers == operations::Answers::time && stratum.name != "plain")
+      continue;
     for (std::uint64_t n = 0; n < 40; ++n) {
       const Json known = Json::parse(case_line(stratum, 3, n));
       const auto wrong = wrong_in_answer(stratum.op, known, answer_in_double(stratum.op, known.at("in")));

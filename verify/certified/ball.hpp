@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "verify/certified/numbers.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 
@@ -40,7 +40,7 @@ auto settled(const Evaluation& evaluate) {
     try {
       auto result = evaluate();
       if (is_final()) return result;
-    } catch (const eval::NoAnswer&) {
+    } catch (const operations::NoAnswer&) {
       if (is_final()) throw;
     }
   }

@@ -6,7 +6,7 @@
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
@@ -27,7 +27,7 @@ struct Node {
 
 class Grouping {
  public:
-  explicit Grouping(const GroupInput& input) : input_(input) {
+  explicit Grouping(const operations::GroupInput& input) : input_(input) {
     for (std::size_t n = 0; n < input.bodies.size(); ++n) {
       bodies_.push_back({inverse_mass(input.bodies[n].mass), lifted(input.bodies[n].velocity), {n}});
       body_of_.push_back(n);
@@ -48,7 +48,7 @@ class Grouping {
   }
 
  private:
-  void load(const GroupInput::Collision& c) {
+  void load(const operations::GroupInput::Collision& c) {
     const std::size_t at_i = body_of_[c.i];
     const std::size_t at_j = body_of_[c.j];
     if (at_i == at_j) refuse(fmt::format("bodies {} and {} are in one group; they move as one", c.i, c.j));
@@ -69,7 +69,7 @@ class Grouping {
     join(i, j, at_i, at_j);
   }
 
-  RealVector impulse(const Collision& pair, const GroupInput::Collision& c) {
+  RealVector impulse(const Collision& pair, const operations::GroupInput::Collision& c) {
     const Sign normal = sign(pair.vr);
     if (!c.outer) {
       if (normal == Sign::positive) refuse("the bodies separate at an inner limit; they do not collide");
@@ -111,10 +111,10 @@ class Grouping {
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
-    throw eval::NoAnswer(message, fmt::format("/collisions/{}", collision_));
+    throw operations::NoAnswer(message, fmt::format("/collisions/{}", collision_));
   }
 
-  const GroupInput& input_;
+  const operations::GroupInput& input_;
   std::vector<Body> bodies_;
   std::vector<std::size_t> body_of_;  ///< by particle: a place in bodies_
   std::vector<Node> nodes_;           ///< in the order of loading
@@ -124,7 +124,7 @@ class Grouping {
 
 }  // namespace
 
-GroupResponse certified_group(const GroupInput& input) {
+GroupResponse certified_group(const operations::GroupInput& input) {
   return settled([&] { return Grouping(input).answer(); });
 }
 

@@ -5,9 +5,9 @@
 
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
-#include "verify/certified/timing_input.hpp"
 #include "verify/exact/exact_verdict.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/operations/timing_input.hpp"
 
 namespace tps::certified {
 namespace {
@@ -49,10 +49,14 @@ Real time_of(const exact::TimingQuery& query, const RealVector& r, const RealVec
 }  // namespace
 
 exact::TimingQuery timing_query(const NextEventInput& input, const PairLimit& limit) {
-  const GroupInput::Body& A = input.bodies[limit.i];
-  const GroupInput::Body& B = input.bodies[limit.j];
-  return {limit.kind,           in_space(A.position), in_space(B.position),
-          in_space(A.velocity), in_space(B.velocity), limit.L};
+  const operations::GroupInput::Body& A = input.bodies[limit.i];
+  const operations::GroupInput::Body& B = input.bodies[limit.j];
+  return {limit.kind,
+          operations::in_space(A.position),
+          operations::in_space(B.position),
+          operations::in_space(A.velocity),
+          operations::in_space(B.velocity),
+          limit.L};
 }
 
 namespace {
@@ -93,7 +97,7 @@ bool all_settled(const std::vector<EnclosedVector>& vectors) {
 CertifiedNextEvent happened(const NextEventInput& input, const Earliest& first) {
   const PairLimit& limit = input.limits[first.limit];
   std::vector<RealVector> positions, velocities;
-  for (const GroupInput::Body& body : input.bodies) {
+  for (const operations::GroupInput::Body& body : input.bodies) {
     positions.push_back(lifted(body.position));
     velocities.push_back(lifted(body.velocity));
   }

@@ -23,7 +23,7 @@ struct PairLimit {
 };
 
 struct NextEventInput {
-  std::vector<GroupInput::Body> bodies;
+  std::vector<operations::GroupInput::Body> bodies;
   std::vector<PairLimit> limits;  ///< of simultaneous ones the first in this order happens
   bool grouped = false;           ///< a collision loads: both take v_load, eq. (6)
 };

@@ -3,7 +3,7 @@
 #include "verify/certified/enclosure.hpp"
 #include "verify/certified/response.hpp"
 #include "verify/certified/rough_response.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
@@ -11,21 +11,21 @@ namespace {
 /// The input of one operation, lifted.
 class Lifted {
  public:
-  explicit Lifted(const eval::Input& input) : input_(input) {}
+  explicit Lifted(const operations::Input& input) : input_(input) {}
 
   RealVector vector(const char* key) const { return lifted(input_.values.at(key)); }
   double number(const char* key) const { return input_.values.at(key)[0]; }
   Real inverse_A() const { return inverse_mass(number("m_A")); }
   Real inverse_B() const { return inverse_mass(number("m_B")); }
   Real reduced_mass() const { return Real(1) / (inverse_A() + inverse_B()); }
-  const eval::Input& input() const { return input_; }
+  const operations::Input& input() const { return input_; }
   RealVector v_AB() const { return vector("v_B") - vector("v_A"); }
   Collision pair() const {
     return collision(vector("u_B") - vector("u_A"), v_AB(), inverse_A(), inverse_B());
   }
 
  private:
-  const eval::Input& input_;
+  const operations::Input& input_;
 };
 
 void add_velocities(Response& response, const Lifted& in, const RealVector& dp) {
@@ -35,7 +35,7 @@ void add_velocities(Response& response, const Lifted& in, const RealVector& dp) 
 
 Response revolution(const Lifted& in) {
   const Collision pair = in.pair();
-  if (sign(dot(pair.w, pair.w)) == Sign::zero) throw eval::NoAnswer(eval::kNothingAcross);
+  if (sign(dot(pair.w, pair.w)) == Sign::zero) throw operations::NoAnswer(operations::kNothingAcross);
   const RealVector dp = revolution_impulse(pair, in.number("c_revolve"), in.number("theta_revolve_deg"));
   return {"", false, {{"dp", enclosure(dp)}}};
 }
@@ -58,9 +58,10 @@ Response tether(const Lifted& in) {
 
 }  // namespace
 
-std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first) {
+std::optional<Response> other_response(operations::Op op, const operations::Input& input,
+                                       const Response& first) {
   if (!first.boundary) return std::nullopt;
-  if (op == eval::Op::rough_impulse) {  // at the boundary both limits are one impulse
+  if (op == operations::Op::rough_impulse) {  // at the boundary both limits are one impulse
     Response other = first;
     other.kind = first.kind == "sticks" ? "slides" : "sticks";
     return other;
@@ -76,27 +77,27 @@ std::optional<Response> other_response(eval::Op op, const eval::Input& input, co
 namespace {
 
 /// At the working precision.
-Response evaluated(eval::Op op, const Lifted& in) {
+Response evaluated(operations::Op op, const Lifted& in) {
   Response response;
   switch (op) {
-    case eval::Op::apply_impulse:
+    case operations::Op::apply_impulse:
       add_velocities(response, in, in.vector("dp"));
       return response;
-    case eval::Op::collision_impulse:
+    case operations::Op::collision_impulse:
       response.values["dp"] = enclosure(collision_impulse(in.pair(), in.number("c")));
       return response;
-    case eval::Op::revolution_impulse:
+    case operations::Op::revolution_impulse:
       return revolution(in);
-    case eval::Op::tether_response:
+    case operations::Op::tether_response:
       return tether(in);
-    case eval::Op::load:
+    case operations::Op::load:
       response.values["v_load"] =
           enclosure(load_velocity(in.inverse_A(), in.inverse_B(), in.vector("v_A"), in.vector("v_B")));
       return response;
-    case eval::Op::restitution_impulse:
+    case operations::Op::restitution_impulse:
       response.values["dp_AB"] = enclosure(in.vector("dp") - in.reduced_mass() * in.v_AB());
       return response;
-    case eval::Op::rough_impulse:
+    case operations::Op::rough_impulse:
       return rough_response(in.input());
     default:
       throw std::invalid_argument("the operation has no impulse or velocity to certify");
@@ -105,7 +106,7 @@ Response evaluated(eval::Op op, const Lifted& in) {
 
 }  // namespace
 
-Response certified_response(eval::Op op, const eval::Input& input) {
+Response certified_response(operations::Op op, const operations::Input& input) {
   const Lifted in(input);
   return settled([&] { return evaluated(op, in); });
 }

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/eval/input.hpp"
+#include "verify/operations/group_input.hpp"
+#include "verify/operations/input.hpp"
 
 namespace tps::certified {
 
@@ -38,29 +39,14 @@ struct Response {
 /// Evaluates apply_impulse, collision_impulse, revolution_impulse, tether_response, load,
 /// restitution_impulse or rough_impulse.
 ///
-/// REQUIRES one of these, and input as read_words() and read_json() return it. Throws eval::NoAnswer where
-/// eq. (5) is asked of a pair without tangential motion.
-Response certified_response(eval::Op op, const eval::Input& input);
+/// REQUIRES one of these, and input as read_words() and read_json() return it. Throws operations::NoAnswer
+/// where eq. (5) is asked of a pair without tangential motion.
+Response certified_response(operations::Op op, const operations::Input& input);
 
 /// At a boundary, tether_response or rough_impulse with the other kind than `first` has; absent elsewhere,
 /// and where v_ŵ = 0 leaves eq. (5) without an answer.
-std::optional<Response> other_response(eval::Op op, const eval::Input& input, const Response& first);
-
-/// Bodies at one instant and the collisions that group them (semantics §4).
-struct GroupInput {
-  struct Body {
-    double mass;  ///< above 0, infinity allowed
-    std::vector<double> position, velocity;
-  };
-  struct Collision {
-    std::size_t i, j;    ///< places in `bodies`
-    bool outer = false;  ///< a tethering collision: tether_response; else eq. (4) with c
-    double c = 0;
-    double c_retract = 0, c_revolve = 0, theta_revolve_deg = 0;
-  };
-  std::vector<Body> bodies;
-  std::vector<Collision> collisions;
-};
+std::optional<Response> other_response(operations::Op op, const operations::Input& input,
+                                       const Response& first);
 
 struct GroupResponse {
   std::vector<EnclosedVector> loaded;      ///< velocities after the last load
@@ -75,8 +61,9 @@ struct GroupResponse {
 /// come in any order.
 ///
 /// REQUIRES vectors of one dimension, finite numbers in the ranges of the operations, i and j in range.
-/// Throws eval::NoAnswer, naming the collision, where i and j are in one body, both bodies are infinite, the
-/// positions coincide, or the bodies do not move towards the limit (inner: v_n > 0; outer: v_n < 0; exactly).
-GroupResponse certified_group(const GroupInput& input);
+/// Throws operations::NoAnswer, naming the collision, where i and j are in one body, both bodies are
+/// infinite, the positions coincide, or the bodies do not move towards the limit (inner: v_n > 0; outer: v_n
+/// < 0; exactly).
+GroupResponse certified_group(const operations::GroupInput& input);
 
 }  // namespace tps::certified

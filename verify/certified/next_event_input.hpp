@@ -9,9 +9,6 @@
 
 namespace tps::certified {
 
-/// So many particles are half a million pairs, each asked exactly.
-constexpr std::size_t kMostParticles = 1000;
-
 /// What of the scene keeps its next event from being certified: the name of an effect that it calls for and
 /// that is none of the paper's three (rebound, tethering, grouping), or a rule with a probability. Absent
 /// where nothing does.

@@ -23,7 +23,7 @@ RealVector turned(const RealVector& omega, const RealVector& x) {
 
 class RoughRebound {
  public:
-  explicit RoughRebound(const eval::Input& input)
+  explicit RoughRebound(const operations::Input& input)
       : input_(input),
         pair_(collision(vector("u_B") - vector("u_A"), vector("v_B") - vector("v_A"), inverse_mass("m_A"),
                         inverse_mass("m_B"))),
@@ -58,14 +58,14 @@ class RoughRebound {
   /// I/(m R²).
   Real K() const { return input_.dimension == 2 ? Real(Rational(1, 2)) : Real(Rational(2, 5)); }
 
-  const eval::Input& input_;
+  const operations::Input& input_;
   Collision pair_;
   Real inverse_length_;
 };
 
 }  // namespace
 
-Response rough_response(const eval::Input& input) {
+Response rough_response(const operations::Input& input) {
   return RoughRebound(input).response();
 }
 

@@ -8,6 +8,6 @@ namespace tps::certified {
 
 /// The rebound of rough_impulse, at the working precision: dp, velocities and spins after it, and whether the
 /// surfaces stick. Everything but a sliding impulse is exact: it has the one root |r|.
-Response rough_response(const eval::Input& input);
+Response rough_response(const operations::Input& input);
 
 }  // namespace tps::certified

@@ -7,8 +7,6 @@
 #include <optional>
 
 #include "reference/text/hexfloat.hpp"
-#include "verify/eval/evaluate.hpp"
-#include "verify/eval/no_answer.hpp"
 #include "verify/exact/double_filter.hpp"
 #include "verify/exact/double_word_filter.hpp"
 #include "verify/exact/double_word_values.hpp"
@@ -16,12 +14,14 @@
 #include "verify/exact/lifted_query.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
+#include "verify/operations/evaluate.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::certified {
 namespace {
 
-using eval::Quantity;
-using eval::Report;
+using operations::Quantity;
+using operations::Report;
 
 Quantity word(const std::string& key, const std::string& symbol, std::string_view value) {
   return {key, symbol, "", {}, false, std::string(value)};
@@ -45,14 +45,14 @@ struct Computed {
   std::optional<double> t;
 };
 
-Computed computed(const TimingInput& input) {
+Computed computed(const operations::TimingInput& input) {
   Computed result;
   try {
-    for (const Quantity& q : eval::evaluate(input.operation(), input.numbers, "double").results) {
+    for (const Quantity& q : operations::evaluate(input.operation(), input.numbers, "double").results) {
       if (q.key == "verdict") result.verdict = q.word;
       if (q.key == "t" && !q.numbers.empty()) result.t = from_hex<double>(q.numbers[0].hex);
     }
-  } catch (const eval::NoAnswer&) {
+  } catch (const operations::NoAnswer&) {
     result.verdict = kBeyond;
   }
   return result;
@@ -148,7 +148,7 @@ std::string_view order_in_double(const Computed& first, const Computed& second) 
 
 }  // namespace
 
-Report why_time(const TimingInput& input) {
+Report why_time(const operations::TimingInput& input) {
   const exact::TimingQuery query = input.query();
   exact::Counters counters;
   const exact::TimingAnswer answer = exact::rounded_time(query, counters);
@@ -167,7 +167,7 @@ Report why_time(const TimingInput& input) {
   return report;
 }
 
-Report why_order(const TimingInput& first, const TimingInput& second) {
+Report why_order(const operations::TimingInput& first, const operations::TimingInput& second) {
   exact::Counters counters;
   const exact::Order order = exact::time_order(first.query(), second.query(), counters);
   Report report;

@@ -9,11 +9,9 @@
 namespace tps::cost {
 namespace {
 
-constexpr const char* kBlock = "block_time";
-constexpr const char* kTether = "tether_time";
 constexpr const char* kTwins = "twins";
 
-const vectors::Stratum& stratum_of(const std::string& op, const std::string& name) {
+const vectors::Stratum& stratum_of(operations::Op op, const std::string& name) {
   const auto& all = vectors::strata();
   return *std::find_if(all.begin(), all.end(),
                        [&](const vectors::Stratum& s) { return s.op == op && s.name == name; });
@@ -25,7 +23,7 @@ const std::vector<Hazard>& hazards() {
   static const std::vector<Hazard> all = [] {
     std::vector<Hazard> result;
     for (const vectors::Stratum& stratum : vectors::strata()) {
-      if (stratum.op == kBlock) result.push_back({stratum.name, stratum.why});
+      if (stratum.op == operations::Op::block_time) result.push_back({stratum.name, stratum.why});
     }
     return result;
   }();
@@ -33,8 +31,8 @@ const std::vector<Hazard>& hazards() {
 }
 
 std::vector<exact::TimingQuery> questions(const std::string& name, std::uint64_t seed, int count) {
-  const vectors::Stratum& block = stratum_of(kBlock, name);
-  const vectors::Stratum& tether = stratum_of(kTether, name);
+  const vectors::Stratum& block = stratum_of(operations::Op::block_time, name);
+  const vectors::Stratum& tether = stratum_of(operations::Op::tether_time, name);
   std::vector<exact::TimingQuery> queries;
   for (int number = 0; number < count; ++number) {
     // The kind changes behind each pair of twins.

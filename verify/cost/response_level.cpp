@@ -27,8 +27,8 @@ struct Sample {
   std::vector<Judge> judges;
 };
 
-eval::Input input_of(const vectors::Json& in) {
-  eval::Input input;
+operations::Input input_of(const vectors::Json& in) {
+  operations::Input input;
   for (const auto& [key, value] : in.items()) {
     input.values[key] =
         value.is_array() ? vectors::read_vector(value) : std::vector<double>{vectors::read_number(value)};
@@ -37,7 +37,7 @@ eval::Input input_of(const vectors::Json& in) {
   return input;
 }
 
-ResponseQuestion question_of(const eval::Input& input) {
+ResponseQuestion question_of(const operations::Input& input) {
   ResponseQuestion question{};
   const auto copy = [&](const char* key, double* to, std::size_t most) {
     const auto found = input.values.find(key);
@@ -58,24 +58,23 @@ ResponseQuestion question_of(const eval::Input& input) {
   return question;
 }
 
-Judge judge_of(eval::Op op, const eval::Input& input) {
+Judge judge_of(operations::Op op, const operations::Input& input) {
   const certified::Response response = certified::certified_response(op, input);
   Judge judge{{}, response.kind, response.boundary};
   const certified::EnclosedVector& dp =
-      response.values.at(op == eval::Op::restitution_impulse ? "dp_AB" : "dp");
+      response.values.at(op == operations::Op::restitution_impulse ? "dp_AB" : "dp");
   std::copy(dp.begin(), dp.end(), judge.impulse.begin());
   return judge;
 }
 
 Sample sample_of(const vectors::Stratum& stratum, const ResponseLevelOptions& options) {
-  const eval::Op op = eval::find_operation(stratum.op)->op;
   Sample sample;
   for (std::uint64_t number = 0; number < static_cast<std::uint64_t>(options.questions); ++number) {
     vectors::Random random(options.seed, stratum.file_name(),
                            number / static_cast<std::uint64_t>(stratum.together));
-    const eval::Input input = input_of(stratum.problem(random, number).in);
+    const operations::Input input = input_of(stratum.problem(random, number).in);
     sample.questions.push_back(question_of(input));
-    sample.judges.push_back(judge_of(op, input));
+    sample.judges.push_back(judge_of(stratum.op, input));
   }
   return sample;
 }
@@ -132,7 +131,7 @@ ResponseRow row_of(const vectors::Stratum& stratum, const Sample& sample, const 
   constexpr int kSeen = 53;           // bits: what a double holds of the truth
   constexpr double kNothing = -1000;  // log2 of no error at all
   ResponseRow row;
-  row.op = stratum.op;
+  row.op = operations::name(stratum.op);
   row.stratum = stratum.name;
   row.scalar = variant.scalar;
   row.bits = variant.bits;
@@ -164,11 +163,11 @@ ResponseRow row_of(const vectors::Stratum& stratum, const Sample& sample, const 
 }
 
 std::string part_name(const vectors::Stratum& stratum) {
-  return stratum.op + ", " + stratum.name;
+  return std::string(operations::name(stratum.op)) + ", " + stratum.name;
 }
 
 std::vector<vectors::Stratum> asked_strata() {
-  std::set<std::string> ops;
+  std::set<operations::Op> ops;
   for (const ResponseVariant& variant : response_variants()) ops.insert(variant.op);
   std::vector<vectors::Stratum> result;
   for (const vectors::Stratum& stratum : vectors::strata()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/cost/run_level.hpp"
+#include "verify/operations/catalogue.hpp"
 
 namespace tps::cost {
 
@@ -26,7 +27,8 @@ struct ResponseAnswer {
 
 /// One equation in one scalar.
 struct ResponseVariant {
-  std::string op, scalar;
+  operations::Op op;
+  std::string scalar;
   int bits;
   ResponseAnswer (*answer)(const ResponseQuestion&);
   void (*throughput)(std::span<const ResponseQuestion>);

@@ -63,7 +63,7 @@ void throughput(std::span<const ResponseQuestion> questions) {
 }
 
 template <auto ask>
-ResponseVariant variant(const char* op, std::string_view scalar, int bits) {
+ResponseVariant variant(operations::Op op, std::string_view scalar, int bits) {
   return {op, std::string(scalar), bits, ask, throughput<ask>};
 }
 
@@ -71,10 +71,10 @@ template <typename Scalar>
 void add(std::vector<ResponseVariant>& to) {
   constexpr int bits = std::numeric_limits<Scalar>::digits;
   constexpr std::string_view scalar = scalar_name<Scalar>;
-  to.push_back(variant<collision<Scalar>>("collision_impulse", scalar, bits));
-  to.push_back(variant<revolution<Scalar>>("revolution_impulse", scalar, bits));
-  to.push_back(variant<restitution<Scalar>>("restitution_impulse", scalar, bits));
-  to.push_back(variant<tether<Scalar>>("tether_response", scalar, bits));
+  to.push_back(variant<collision<Scalar>>(operations::Op::collision_impulse, scalar, bits));
+  to.push_back(variant<revolution<Scalar>>(operations::Op::revolution_impulse, scalar, bits));
+  to.push_back(variant<restitution<Scalar>>(operations::Op::restitution_impulse, scalar, bits));
+  to.push_back(variant<tether<Scalar>>(operations::Op::tether_response, scalar, bits));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "reference/run/next_event.hpp"
 #include "reference/text/hexfloat.hpp"
@@ -11,18 +12,21 @@
 #include "verify/certified/certified_response.hpp"
 #include "verify/certified/exact_timing.hpp"
 #include "verify/certified/next_event_input.hpp"
-#include "verify/eval/no_answer.hpp"
 #include "verify/exact/rounded_drag_time.hpp"
 #include "verify/exact/rounded_time.hpp"
 #include "verify/exact/time_order.hpp"
-#include "verify/protocol/catalogue.hpp"
-#include "verify/protocol/read_input.hpp"
+#include "verify/operations/compound_input.hpp"
+#include "verify/operations/no_answer.hpp"
 #include "verify/protocol/simulate.hpp"
 
 namespace tps::protocol {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using operations::Input;
+using operations::Op;
+using operations::Operation;
+using operations::Place;
 
 Json numbers(const std::vector<double>& components) {
   Json list = Json::array();
@@ -127,14 +131,7 @@ Json event_json(const Scene& scene, const certified::PairLimit& limit,
   return answer;
 }
 
-Json timing(exact::Kind kind, const eval::Operation& operation, const JsonValue& in, const Place& place) {
-  exact::Counters uncounted;
-  const certified::TimingInput input{kind, eval::read_value(operation, in, place.source, place.pointer)};
-  return timing_json(exact::rounded_time(input.query(), uncounted));
-}
-
-Json drag(const eval::Operation& operation, const JsonValue& in, const Place& place) {
-  const eval::Input input = eval::read_value(operation, in, place.source, place.pointer);
+Json drag(const Input& input) {
   const double gamma = input.values.at("gamma")[0], s = input.values.at("s")[0];
   if (!exact::drag_clock_is_reached(gamma, s)) return {{"verdict", "never"}, {"t", nullptr}};
   const exact::DragTime time = exact::rounded_drag_time(gamma, s);
@@ -143,12 +140,25 @@ Json drag(const eval::Operation& operation, const JsonValue& in, const Place& pl
   return answer;
 }
 
+Json timing(const Operation& operation, const JsonValue& in, const Place& place) {
+  const Input input = operations::read_value(operation, in, place);
+  if (operation.op == Op::drag_time) return drag(input);
+  exact::Counters uncounted;
+  const exact::Kind kind = operations::timing_kind(operation.op).value();
+  return timing_json(exact::rounded_time(operations::TimingInput{kind, input}.query(), uncounted));
+}
+
+Json response(const Operation& operation, const JsonValue& in, const Place& place) {
+  return response_json(
+      certified::certified_response(operation.op, operations::read_value(operation, in, place)));
+}
+
 Json group(const JsonValue& in, const Place& place) {
-  return group_json(certified::certified_group(read_group(in, place)));
+  return group_json(certified::certified_group(operations::read_group(in, place)));
 }
 
 Json next_event(const JsonValue& in, const Place& place) {
-  const Scene scene = read_next_event(in, place);
+  const Scene scene = operations::read_next_event(in, place);
   if (certified::not_certified(scene)) {
     certified::ExactTiming certifier;
     try {
@@ -167,39 +177,45 @@ Json next_event(const JsonValue& in, const Place& place) {
 const std::vector<std::string>& operation_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Entry& entry : catalogue()) {
-      if (entry.is_answered) all.emplace_back(entry.name);
+    for (const Operation& operation : operations::catalogue()) {
+      if (operation.is_certified) all.emplace_back(operation.name);
     }
     return all;
   }();
   return names;
 }
 
-nlohmann::ordered_json answer_order(const OrderInput& input) {
+Json answer_order(const operations::OrderInput& input) {
   exact::Counters uncounted;
   const exact::Order order = exact::time_order(input.first.query(), input.second.query(), uncounted);
   return {{"order", exact::name(order)}};
 }
 
-nlohmann::ordered_json answer(std::string_view name, const JsonValue& in, const std::string& source,
-                              const std::string& pointer) try {
-  const Place place{source, pointer};
-  if (name == "order") return answer_order(read_order(in, place));
-  if (name == "group") return group(in, place);
-  if (name == "next_event") return next_event(in, place);
-  const eval::Operation& operation = *eval::find_operation(name);
-  if (const auto kind = certified::timing_kind(name)) return timing(*kind, operation, in, place);
-  if (operation.op == eval::Op::drag_time) return drag(operation, in, place);
-  return response_json(
-      certified::certified_response(operation.op, eval::read_value(operation, in, source, pointer)));
-} catch (const eval::NoAnswer& why) {
-  throw why.in(source, in.line, pointer);
+Json answer(Op op, const JsonValue& in, const Place& place) try {
+  const Operation& operation = operations::operation(op);
+  switch (operation.answers) {
+    case operations::Answers::time:
+      return timing(operation, in, place);
+    case operations::Answers::response:
+      return response(operation, in, place);
+    case operations::Answers::order:
+      return answer_order(operations::read_order(in, place));
+    case operations::Answers::group:
+      return group(in, place);
+    case operations::Answers::event:
+      return next_event(in, place);
+    case operations::Answers::number:
+    case operations::Answers::trace:
+      break;
+  }
+  throw std::invalid_argument(std::string(operation.name) + " has no certified value");
+} catch (const operations::NoAnswer& why) {
+  throw why.in(place.source, in.line, place.pointer);
 }
 
-std::string answer_text(std::string_view name, const JsonValue& in, const std::string& source,
-                        const std::string& pointer) {
-  if (name == kSimulate) return simulate(in, {source, pointer});
-  return json_text(answer(name, in, source, pointer));
+std::string answer_text(Op op, const JsonValue& in, const Place& place) {
+  if (operations::operation(op).answers == operations::Answers::trace) return simulate(in, place);
+  return json_text(answer(op, in, place));
 }
 
 }  // namespace tps::protocol

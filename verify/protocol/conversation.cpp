@@ -99,15 +99,16 @@ std::optional<Failure> malformed(const JsonValue& request, bool has_seq) {
 
 Reply answered(const std::string& seq, const JsonValue& request) {
   const std::string& op = *request.find("op")->string();
-  const std::vector<std::string>& known = operation_names();
-  if (std::find(known.begin(), known.end(), op) == known.end()) {
+  const operations::Operation* operation = operations::find(op);
+  if (operation == nullptr || !operation->is_certified) {
+    const std::vector<std::string>& known = operation_names();
     return {fmt::format(R"({{"seq":{},"skip":"unknown_op","message":{}}})", seq,
                         as_json(fmt::format("unknown operation {}{} There are {}", op,
                                             did_you_mean(op, known), fmt::join(known, ", "))))};
   }
   try {
-    return {
-        fmt::format(R"({{"seq":{},"out":{}}})", seq, answer_text(op, *request.find("in"), kSource, "/in"))};
+    return {fmt::format(R"({{"seq":{},"out":{}}})", seq,
+                        answer_text(operation->op, *request.find("in"), {kSource, "/in"}))};
   } catch (const InputError& error) {
     return failed(seq, {"bad_input", message_of(error)});
   }

@@ -52,8 +52,8 @@ class MemoryFile {
 
 }  // namespace
 
-std::string simulate(const JsonValue& in, const Place& place) {
-  const SimulateInput input = read_simulate(in, place);
+std::string simulate(const JsonValue& in, const operations::Place& place) {
+  const operations::SimulateInput input = operations::read_simulate(in, place);
   certified::ExactTiming certifier;
   const MemoryFile file;
   RunOptions options;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/operations/catalogue.hpp"
 #include "verify/trace_check/rule.hpp"
 
 namespace tps::check {
@@ -15,7 +16,7 @@ enum class Outcome { violated, undecided };
 
 /// A step with inputs that `tps eval` and `tps vectors` can replay: a case of one operation.
 struct Replay {
-  std::string op;
+  operations::Op op;
   std::string in;  ///< the operation's "in", as JSON
 };
 

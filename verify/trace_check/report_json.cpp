@@ -34,7 +34,8 @@ Json finding_json(const Finding& f) {
   result["page"] = fmt::format("docs/check.md#{}", name(f.rule));
   if (f.off) result["off_ulps"] = *f.off;
   if (f.allowed) result["allowed_ulps"] = *f.allowed;
-  if (f.replay) result["replay"] = {{"op", f.replay->op}, {"in", Json::parse(f.replay->in)}};
+  if (f.replay)
+    result["replay"] = {{"op", operations::name(f.replay->op)}, {"in", Json::parse(f.replay->in)}};
   return result;
 }
 

@@ -59,7 +59,7 @@ Replay replay_of_time(const PairFlight<Number>& pair, bool outer, const Work<Num
       .vector("v_A", pair.v_i)
       .vector("v_B", pair.v_j)
       .number("L", L);
-  return {outer ? "tether_time" : "block_time", in.json()};
+  return {outer ? operations::Op::tether_time : operations::Op::block_time, in.json()};
 }
 
 /// Positions and velocities of the pair, masses of the bodies.

@@ -23,7 +23,7 @@ Json accepted(const Json& answer) {
 }
 
 std::string case_of(const CheckReport& report, const Finding& f) {
-  const std::string& op = f.replay->op;
+  const std::string op(operations::name(f.replay->op));
   const Json in = Json::parse(f.replay->in);
   const Json header{{"schema", "vectors"},
                     {"version", vectors::kVectorsVersion},
@@ -36,7 +36,7 @@ std::string case_of(const CheckReport& report, const Finding& f) {
                     {"first", 0},
                     {"count", 1}};
   Json line{{"id", fmt::format("{}.witness.{}.{:05}", op, name(f.rule), f.line)}, {"rev", 1}, {"in", in}};
-  const Json answer = vectors::known_answer(op, in);
+  const Json answer = vectors::known_answer(f.replay->op, in);
   line.update(answer);
   line["tags"] = Json::array({"witness", name(f.rule)});
   line["level"] = 1;

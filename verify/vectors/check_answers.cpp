@@ -18,7 +18,7 @@
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
 #include "reference/text/printable.hpp"
-#include "verify/eval/no_answer.hpp"
+#include "verify/operations/no_answer.hpp"
 
 namespace tps::vectors {
 namespace {
@@ -222,7 +222,7 @@ std::optional<std::string> unanswerable(const Ask& ask) {
     return std::nullopt;
   } catch (const InputError& error) {
     return "no question of the operation: " + in_words(error);
-  } catch (const eval::NoAnswer& why) {
+  } catch (const operations::NoAnswer& why) {
     return "no question of the operation: " + in_words(why.in("", 0, "/in"));
   } catch (const std::bad_alloc&) {
     return "not enough memory for this case";
@@ -265,7 +265,7 @@ Json in_rows(Json out) {
   return out;
 }
 
-std::optional<std::string> wrong_in_case(const std::string& op, const Json& known_case) {
+std::optional<std::string> wrong_in_case(Op op, const Json& known_case) {
   if (!known_case.is_object() || !known_case.contains("in"))
     return "has no \"in\"; a case is a question and its answer";
   if (!known_case.contains("id") || !known_case.at("id").is_string()) return "has no id that is a word";
@@ -280,11 +280,11 @@ std::optional<std::string> wrong_in_case(const std::string& op, const Json& know
   return wrong_classes(known_case.value("accept", Json()));
 }
 
-std::optional<std::string> wrong_in_answer(const std::string& op, const Json& known_case, const Json& out) {
+std::optional<std::string> wrong_in_answer(Op op, const Json& known_case, const Json& out) {
   if (!out.is_object()) return "out is not an object";
   try {
-    if (op == "order") return wrong_word("order", known_case.at("order"), out);
-    if (op == "next_event") return wrong_event(known_case, out);
+    if (op == Op::order) return wrong_word("order", known_case.at("order"), out);
+    if (op == Op::next_event) return wrong_event(known_case, out);
     if (known_case.contains("verdict")) return wrong_time(known_case, out);
     const auto wrong = wrong_response(known_case, known_case, out);
     for (const Json& other : known_case.value("also", Json::array())) {

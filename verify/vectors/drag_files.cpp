@@ -88,11 +88,7 @@ constexpr Family families[] = {
 
 void add_drag_strata(std::vector<Stratum>& strata) {
   for (const drag_files::Family& family : drag_files::families) {
-    strata.push_back({"drag_time",
-                      family.name,
-                      family.why,
-                      drag_files::kCommitted,
-                      {"R", "K(8)"},
+    strata.push_back({Op::drag_time, family.name, family.why, drag_files::kCommitted,
                       [family](Random& random, std::uint64_t) -> Problem {
                         const drag_files::Clock clock = family.clock(random);
                         return {{{"gamma", hex(clock.gamma)}, {"s", hex(clock.s)}}, {family.name}};

@@ -60,7 +60,7 @@ std::string header_line(const Stratum& stratum, std::uint64_t seed, const Extent
   const Json header{{"schema", "vectors"},
                     {"version", kVectorsVersion},
                     {"semantics", kSemanticsVersion},
-                    {"op", stratum.op},
+                    {"op", operations::name(stratum.op)},
                     {"stratum", stratum.name},
                     {"why", stratum.why},
                     {"generator", "tps vectors"},
@@ -74,13 +74,13 @@ Json case_object(const Stratum& stratum, std::uint64_t seed, std::uint64_t numbe
   const auto together = static_cast<std::uint64_t>(stratum.together);
   Random random(seed, stratum.file_name(), number / together);
   const Problem problem = stratum.problem(random, number);
-  const auto id = [&](std::uint64_t n) { return fmt::format("{}.{}.{:05}", stratum.op, stratum.name, n); };
+  const auto id = [&](std::uint64_t n) { return fmt::format("{}.{:05}", stratum.full_name(), n); };
   Json line{{"id", id(number)}, {"rev", revision_of(id(number), seed)}, {"in", problem.in}};
   line.update(known_answer(stratum.op, problem.in));
   line["tags"] = problem.tags;
   if (together == 2) line["twin"] = id(number ^ 1U);
   line["level"] = number < kSmokeCases ? 1 : number < static_cast<std::uint64_t>(stratum.committed) ? 2 : 3;
-  line["accept"] = stratum.accept;
+  line["accept"] = accepted_by(stratum.op);
   return line;
 }
 

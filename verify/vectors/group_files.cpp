@@ -163,12 +163,11 @@ Problem membrane(Random& random, std::uint64_t number) {
 }  // namespace
 
 void add_group_strata(std::vector<Stratum>& strata) {
-  const std::vector<std::string> accept{"R", "K(64)"};
-  strata.push_back({"group", "chain", "loads one after the other, to depth 8", 80, accept, chain});
-  strata.push_back({"group", "tree", "loads of groups with groups", 80, accept, tree});
-  strata.push_back({"group", "wall", "a group that ends grounded on an infinite mass", 60, accept, wall});
-  strata.push_back({"group", "membrane", "outer and inner collisions of few bodies, one of infinite mass", 40,
-                    accept, membrane});
+  strata.push_back({Op::group, "chain", "loads one after the other, to depth 8", 80, chain});
+  strata.push_back({Op::group, "tree", "loads of groups with groups", 80, tree});
+  strata.push_back({Op::group, "wall", "a group that ends grounded on an infinite mass", 60, wall});
+  strata.push_back({Op::group, "membrane", "outer and inner collisions of few bodies, one of infinite mass",
+                    40, membrane});
 }
 
 }  // namespace tps::vectors

@@ -117,13 +117,18 @@ class Ids {
   std::unordered_map<std::string, vectors::Place> seen_;
 };
 
-/// What is wrong where the header names an operation that is none: nobody can be asked, so nobody is excused.
-std::optional<std::string> unknown_operation(const std::string& op) {
-  const std::vector<std::string>& known = protocol::operation_names();
-  if (std::find(known.begin(), known.end(), op) != known.end()) return std::nullopt;
-  return fmt::format("the header names operation \"{}\", which there is not{}", printable(op, kShownOfText),
-                     did_you_mean(op, known));
-}
+/// The operation that a header names. Where there is none of that name nobody can be asked, so nobody is
+/// excused: `wrong` says so.
+struct NamedOperation {
+  explicit NamedOperation(const std::string& name) : operation(operations::find(name)) {
+    if (operation != nullptr && operation->is_certified) return;
+    wrong = fmt::format("the header names operation \"{}\", which there is not{}",
+                        printable(name, kShownOfText), did_you_mean(name, protocol::operation_names()));
+  }
+
+  const operations::Operation* operation;
+  std::optional<std::string> wrong;
+};
 
 /// The first line of what somebody else wrote.
 std::string shortened(const Json& reply) {
@@ -141,14 +146,15 @@ struct AskedCase {
 int verify_cases(const std::vector<std::string>& files) {
   require_distinct(files);
   Findings findings;
-  read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
-                     findings.judged();
-                     const auto wrong = vectors::wrong_in_case(op, known);
-                     if (wrong) findings.problem(place, name_of(known) + ": " + *wrong);
-                   },
-                   [&](const std::string& problem, const vectors::Place& place) {
-                     findings.problem(place, problem);
-                   }});
+  read_all(
+      files,
+      {[&](const std::string& op, const Json& known, const vectors::Place& place) {
+         findings.judged();
+         const NamedOperation named(op);
+         const auto wrong = named.wrong ? named.wrong : vectors::wrong_in_case(named.operation->op, known);
+         if (wrong) findings.problem(place, name_of(known) + ": " + *wrong);
+       },
+       [&](const std::string& problem, const vectors::Place& place) { findings.problem(place, problem); }});
   return findings.conclude("cases proven again");
 }
 
@@ -163,34 +169,34 @@ int verify_answers(const std::vector<std::string>& files, const std::string& ans
   std::uint64_t seq = 0;
   std::vector<AskedCase> skips;
   Ids ids;
-  read_all(files, {[&](const std::string& op, const Json& known, const vectors::Place& place) {
-                     ++seq;
-                     const std::string id = name_of(known);
-                     if (const auto unknown = unknown_operation(op))
-                       return findings.problem(place, id + ": " + *unknown);
-                     const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
-                     if (reply != nullptr && replies.names(known)) {
-                       if (const auto twice = ids.wrong_in(known, place))
-                         return findings.problem(place, id + ": " + *twice);
-                     }
-                     if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
-                     if (reply->contains("out")) {
-                       // What is not proven judges nobody.
-                       if (const auto unproven = vectors::wrong_in_case(op, known))
-                         return findings.problem(place, id + ": is no known answer: " + *unproven);
-                       if (!said_hello) replies.offered.insert(op);
-                       findings.judged();
-                       const auto wrong = vectors::wrong_in_answer(op, known, reply->at("out"));
-                       if (wrong) findings.problem(place, id + ": " + *wrong);
-                     } else if (reply->contains("skip")) {
-                       skips.push_back({op, id, place});
-                     } else {
-                       findings.refusal(place, fmt::format("{}: is refused: {}", id, shortened(*reply)));
-                     }
-                   },
-                   [&](const std::string& problem, const vectors::Place& place) {
-                     findings.problem(place, problem);
-                   }});
+  read_all(
+      files,
+      {[&](const std::string& op, const Json& known, const vectors::Place& place) {
+         ++seq;
+         const std::string id = name_of(known);
+         const NamedOperation named(op);
+         if (named.wrong) return findings.problem(place, id + ": " + *named.wrong);
+         const Json* reply = known.contains("id") ? replies.find(known, seq) : nullptr;
+         if (reply != nullptr && replies.names(known)) {
+           if (const auto twice = ids.wrong_in(known, place))
+             return findings.problem(place, id + ": " + *twice);
+         }
+         if (reply == nullptr) return findings.refusal(place, id + ": has no reply");
+         if (reply->contains("out")) {
+           // What is not proven judges nobody.
+           if (const auto unproven = vectors::wrong_in_case(named.operation->op, known))
+             return findings.problem(place, id + ": is no known answer: " + *unproven);
+           if (!said_hello) replies.offered.insert(op);
+           findings.judged();
+           const auto wrong = vectors::wrong_in_answer(named.operation->op, known, reply->at("out"));
+           if (wrong) findings.problem(place, id + ": " + *wrong);
+         } else if (reply->contains("skip")) {
+           skips.push_back({op, id, place});
+         } else {
+           findings.refusal(place, fmt::format("{}: is refused: {}", id, shortened(*reply)));
+         }
+       },
+       [&](const std::string& problem, const vectors::Place& place) { findings.problem(place, problem); }});
   for (const AskedCase& skipped : skips) {
     if (!replies.offered.contains(skipped.op)) {
       findings.skipped();
@@ -208,8 +214,8 @@ void write_requests(const std::vector<std::string>& files) {
   std::uint64_t seq = 0;
   read_all(files,
            {[&](const std::string& op, const Json& known, const vectors::Place& place) {
-              if (const auto unknown = unknown_operation(op))
-                throw InputError({{place.file, place.line, "", *unknown}});
+              if (const NamedOperation named(op); named.wrong)
+                throw InputError({{place.file, place.line, "", *named.wrong}});
               if (!known.is_object() || !known.contains("in")) {
                 throw InputError({{place.file, place.line, "", "the case has no \"in\", its question"}});
               }

@@ -10,9 +10,9 @@
 #include "reference/text/hexfloat.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/certified/timing_input.hpp"
 #include "verify/exact/time_order.hpp"
-#include "verify/protocol/read_input.hpp"
+#include "verify/operations/compound_input.hpp"
+#include "verify/operations/timing_input.hpp"
 #include "verify/vectors/drag_proof.hpp"
 #include "verify/vectors/question.hpp"
 #include "verify/vectors/response_answer.hpp"
@@ -84,9 +84,12 @@ Json timing_answer(const TimingQuery& query) {
   return answer;
 }
 
-Json drag_answer(const Json& in) {
-  const eval::Operation& operation = *eval::find_operation("drag_time");
-  const eval::Input input = eval::read_value(operation, question_value(in), kQuestion, "/in");
+/// The numbers of a question.
+operations::Input input_of(Op op, const Json& in) {
+  return operations::read_value(operations::operation(op), question_value(in), {kQuestion, "/in"});
+}
+
+Json drag_answer(const operations::Input& input) {
   const DragProof proof = prove_drag_time(input.values.at("gamma")[0], input.values.at("s")[0]);
   Json answer{{"verdict", proof.bracket ? "reached" : "never"}, {"t", nullptr}};
   Json signs{{"z", proof.z}};
@@ -98,7 +101,7 @@ Json drag_answer(const Json& in) {
 
 Json order_answer(const Json& in) {
   exact::Counters counters;
-  const protocol::OrderInput input = protocol::read_order(question_value(in), {kQuestion, "/in"});
+  const operations::OrderInput input = operations::read_order(question_value(in), {kQuestion, "/in"});
   const std::array<TimingQuery, 2> queries{input.first.query(), input.second.query()};
   Json proof;
   for (std::size_t n = 0; n < 2; ++n) {
@@ -160,22 +163,20 @@ Json timing_input(const TimingQuery& query, int dimension) {
 
 TimingQuery read_timing_input(Kind kind, const Json& in) {
   if (const auto query = spelt_by_us(kind, in)) return *query;
-  const eval::Operation& operation = *eval::find_operation(certified::operation_of(kind));
-  return certified::TimingInput{kind, eval::read_value(operation, question_value(in), kQuestion, "/in")}
-      .query();
+  return operations::TimingInput{kind, input_of(operations::timing_of(kind), in)}.query();
 }
 
-Json known_answer(std::string_view op, const Json& in) {
-  if (const auto kind = certified::timing_kind(op)) return timing_answer(read_timing_input(*kind, in));
-  if (op == "drag_time") return drag_answer(in);
-  if (op == "order") return order_answer(in);
+Json known_answer(Op op, const Json& in) {
+  if (op == Op::drag_time) return drag_answer(input_of(op, in));
+  if (op == Op::order) return order_answer(in);
+  if (const auto kind = operations::timing_kind(op)) return timing_answer(read_timing_input(*kind, in));
   return response_answer(op, in);
 }
 
-std::vector<std::string> accepted_by(std::string_view op) {
-  if (op == "order") return {"R"};
-  if (op == "group") return {"R", "K(64)"};
-  return {"R", op.ends_with("_time") ? "K(8)" : "K(16)"};
+Json accepted_by(Op op) {
+  Json classes = Json::array({"R"});
+  if (const int k = operations::operation(op).accepted_k; k > 0) classes.push_back(fmt::format("K({})", k));
+  return classes;
 }
 
 }  // namespace tps::vectors

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "verify/exact/timing_query.hpp"
+#include "verify/operations/catalogue.hpp"
 
 namespace tps::vectors {
 
 using Json = nlohmann::ordered_json;
+using operations::Op;
 
 /// A double as files spell it: a hexadecimal float, or "inf".
 Json hex(double x);
@@ -30,10 +32,9 @@ exact::TimingQuery read_timing_input(exact::Kind kind, const Json& in);
 /// The fields of a case that follow from its operation and its "in": the answer, its proof, its condition
 /// number. `in` is read as `tps serve` reads it. Throws InputError where the operation does not take it,
 /// std::invalid_argument for an operation without known answers and for a question without a single one.
-Json known_answer(std::string_view op, const Json& in);
+Json known_answer(operations::Op op, const Json& in);
 
-/// The tolerance classes that a known answer of an operation accepts where nobody has others in mind
-/// (docs/vectors.md, "Who passes").
-std::vector<std::string> accepted_by(std::string_view op);
+/// The tolerance classes that a known answer of an operation accepts (docs/vectors.md, "Who passes").
+Json accepted_by(operations::Op op);
 
 }  // namespace tps::vectors

@@ -9,7 +9,7 @@
 
 #include "verify/certified/certified_next_event.hpp"
 #include "verify/certified/next_event_input.hpp"
-#include "verify/protocol/read_input.hpp"
+#include "verify/operations/compound_input.hpp"
 #include "verify/vectors/enclosure_json.hpp"
 #include "verify/vectors/question.hpp"
 #include "verify/vectors/time_bracket.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 /// A certified answer to a scene that is read as every scene is.
 certified::NextEventInput read_scene(const Json& in) {
-  const Scene scene = protocol::read_next_event(question_value(in), {kQuestion, "/in"});
+  const Scene scene = operations::read_next_event(question_value(in), {kQuestion, "/in"});
   if (const auto effect = certified::not_certified(scene))
     throw std::invalid_argument(fmt::format("known answers of next_event have no {}", *effect));
   if (scene.grouping) throw std::invalid_argument("known answers of next_event have no grouping");

@@ -84,10 +84,9 @@ Problem problem_with_an_event(Random& random, const SceneKind& kind, std::uint64
 
 void add_next_event_strata(std::vector<Stratum>& strata) {
   for (const SceneKind& kind : scene_kinds) {
-    strata.push_back(
-        {"next_event", kind.name, kind.why, 40, {"R", "K(16)"}, [kind](Random& random, std::uint64_t number) {
-           return problem_with_an_event(random, kind, number);
-         }});
+    strata.push_back({Op::next_event, kind.name, kind.why, 40, [kind](Random& random, std::uint64_t number) {
+                        return problem_with_an_event(random, kind, number);
+                      }});
   }
 }
 

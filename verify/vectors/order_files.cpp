@@ -145,10 +145,9 @@ Json order_input(const Pair& pair) {
 }  // namespace
 
 void add_order_strata(std::vector<Stratum>& strata) {
-  const std::vector<std::string> accept{"R"};
   const auto add = [&](const char* name, const char* why, auto pair_of, int committed = 100) {
     strata.push_back(
-        {"order", name, why, committed, accept, [name, pair_of](Random& random, std::uint64_t) -> Problem {
+        {Op::order, name, why, committed, [name, pair_of](Random& random, std::uint64_t) -> Problem {
            return {order_input(pair_of(random)), {name}};
          }});
   };
@@ -164,7 +163,7 @@ void add_order_strata(std::vector<Stratum>& strata) {
   add("scaled_tie", "such a pair, lengths times 2^i, velocities times 2^j, i and j from -90 to 90",
       scaled_tie, 20);
   add("coincident", "a pull of two particles at one point, and another event", coincident, 30);
-  strata.push_back({"order", "twins", "one bit apart on the two sides of a change of order", 120, accept,
+  strata.push_back({Op::order, "twins", "one bit apart on the two sides of a change of order", 120,
                     [](Random& random, std::uint64_t number) -> Problem {
                       const auto [one, other] = order_twins(random);
                       return {order_input(number % 2 == 0 ? one : other), {"twin"}};

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "verify/certified/certified_response.hpp"
-#include "verify/protocol/read_input.hpp"
+#include "verify/operations/compound_input.hpp"
 #include "verify/vectors/enclosure_json.hpp"
 #include "verify/vectors/next_event_answer.hpp"
 #include "verify/vectors/question.hpp"
@@ -25,8 +25,8 @@ Json answer_of(const certified::Response& response) {
   return answer;
 }
 
-Json one_response(const eval::Operation& operation, const Json& in) {
-  const eval::Input input = eval::read_value(operation, question_value(in), kQuestion, "/in");
+Json one_response(const operations::Operation& operation, const Json& in) {
+  const operations::Input input = operations::read_value(operation, question_value(in), {kQuestion, "/in"});
   const certified::Response response = certified::certified_response(operation.op, input);
   Json answer = answer_of(response);
   if (const auto other = certified::other_response(operation.op, input, response)) {
@@ -44,7 +44,7 @@ EnclosedVector flattened(const std::vector<EnclosedVector>& velocities) {
 }
 
 Json group_answer(const Json& in) {
-  const certified::GroupInput group = protocol::read_group(question_value(in), {kQuestion, "/in"});
+  const operations::GroupInput group = operations::read_group(question_value(in), {kQuestion, "/in"});
   const certified::GroupResponse response = certified::certified_group(group);
   if (response.boundary) throw std::invalid_argument("a collision of the group is at a boundary of rounding");
   Json answer;
@@ -56,16 +56,19 @@ Json group_answer(const Json& in) {
 
 }  // namespace
 
-Json response_answer(std::string_view op, const Json& in) {
-  if (op == "group") return group_answer(in);
-  if (op == "next_event") {
-    std::optional<Json> answer = next_event_answer(in);
-    if (!answer) throw std::invalid_argument("the scene has no event, or no single one");
-    return *answer;
+Json response_answer(Op op, const Json& in) {
+  const operations::Operation& operation = operations::operation(op);
+  switch (operation.answers) {
+    case operations::Answers::response:
+      return one_response(operation, in);
+    case operations::Answers::group:
+      return group_answer(in);
+    case operations::Answers::event:
+      if (std::optional<Json> answer = next_event_answer(in)) return *answer;
+      throw std::invalid_argument("the scene has no event, or no single one");
+    default:
+      throw std::invalid_argument(fmt::format("{} has no known answers", operation.name));
   }
-  const eval::Operation* operation = eval::find_operation(op);
-  if (operation == nullptr) throw std::invalid_argument(fmt::format("there is no operation {}", op));
-  return one_response(*operation, in);
 }
 
 }  // namespace tps::vectors

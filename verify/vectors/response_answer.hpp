@@ -2,7 +2,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string_view>
 
 #include "verify/vectors/known_answer.hpp"
 
@@ -11,6 +10,6 @@ namespace tps::vectors {
 /// The answer to a response operation or to `group`: enclosures of every component, `nearest`, the condition
 /// number. Throws InputError for an "in" that the operation does not take,
 /// std::invalid_argument for another operation or a question without a single answer.
-Json response_answer(std::string_view op, const Json& in);
+Json response_answer(Op op, const Json& in);
 
 }  // namespace tps::vectors

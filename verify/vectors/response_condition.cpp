@@ -35,7 +35,7 @@ Json three_digits(double terms, double result) {
 /// Sizes of what the response is made of.
 class Sizes {
  public:
-  Sizes(eval::Op op, const eval::Input& input, const certified::Response& response)
+  Sizes(Op op, const operations::Input& input, const certified::Response& response)
       : op_(op), input_(input), response_(response) {}
 
   double vector(const std::string& key) const { return size(input_.values.at(key)); }
@@ -47,7 +47,7 @@ class Sizes {
   double impulse_terms() const {
     if (input_.values.contains("dp")) return vector("dp");
     const double impulse = size(response_.values.at("dp"));
-    const bool revolves = op_ == eval::Op::revolution_impulse || response_.kind == "revolve";
+    const bool revolves = op_ == Op::revolution_impulse || response_.kind == "revolve";
     if (!revolves) return impulse * normal_cancellation();
     const double c = number("c_revolve");
     const double turn = number("theta_revolve_deg") / 180;
@@ -84,8 +84,8 @@ class Sizes {
     return size(v) / size(across);
   }
 
-  eval::Op op_;
-  const eval::Input& input_;
+  Op op_;
+  const operations::Input& input_;
   const certified::Response& response_;
 };
 
@@ -97,7 +97,8 @@ struct RoughTerms {
 /// With G = |v_AB| + R_A|ω_A| + R_B|ω_B|: eq. (4) has the terms (1 + c) m |v_AB|; of the smaller limit of
 /// friction, holding surfaces take κ (1 + β₀) m G and sliding ones μ of eq. (4)'s and G/|g_t| of J_t for its
 /// direction. Each twice: docs/effects.md counts up to 18 and 36 roundings of a term.
-RoughTerms rough_terms(const Sizes& sizes, const eval::Input& input, const certified::Response& response) {
+RoughTerms rough_terms(const Sizes& sizes, const operations::Input& input,
+                       const certified::Response& response) {
   const double G = sizes.speed() + sizes.number("R_A") * sizes.vector("spin_A") +
                    sizes.number("R_B") * sizes.vector("spin_B");
   const double normal = (1 + sizes.number("c")) * sizes.mu() * sizes.speed();
@@ -111,7 +112,8 @@ RoughTerms rough_terms(const Sizes& sizes, const eval::Input& input, const certi
   return {2 * normal + across, across};
 }
 
-Json rough_conditions(const Sizes& sizes, const eval::Input& input, const certified::Response& response) {
+Json rough_conditions(const Sizes& sizes, const operations::Input& input,
+                      const certified::Response& response) {
   const RoughTerms terms = rough_terms(sizes, input, response);
   const double K = input.dimension == 2 ? 0.5 : 0.4;
   Json result;
@@ -130,9 +132,9 @@ Json rough_conditions(const Sizes& sizes, const eval::Input& input, const certif
 
 }  // namespace
 
-Json conditions(eval::Op op, const eval::Input& input, const certified::Response& response) {
+Json conditions(Op op, const operations::Input& input, const certified::Response& response) {
   const Sizes sizes(op, input, response);
-  if (op == eval::Op::rough_impulse) return rough_conditions(sizes, input, response);
+  if (op == Op::rough_impulse) return rough_conditions(sizes, input, response);
   Json result;
   for (const auto& [key, components] : response.values) {
     double terms = 0;
@@ -151,9 +153,9 @@ Json conditions(eval::Op op, const eval::Input& input, const certified::Response
   return result;
 }
 
-Json conditions(const certified::GroupInput& group, const certified::GroupResponse& response) {
+Json conditions(const operations::GroupInput& group, const certified::GroupResponse& response) {
   double fastest = 0;
-  for (const certified::GroupInput::Body& body : group.bodies)
+  for (const operations::GroupInput::Body& body : group.bodies)
     fastest = std::max(fastest, size(body.velocity));
   const double terms = 4 * fastest * static_cast<double>(group.collisions.size() + 1);
   const auto smallest = [](const std::vector<certified::EnclosedVector>& velocities) {

@@ -13,9 +13,9 @@ namespace tps::vectors {
 /// norm. null where the result is zero. Terms: v_A' takes v_A and Δp/m_A; Δp of (4) takes Σ|r_k v_k| against
 /// v·r; Δp of (5) takes v and v', with |v|/|v_ŵ| for the direction and 1 + |ln c|θ/π for the power; (6) the
 /// two weighted velocities; (7) Δp and μ v; friction the terms of g_t and of both limits.
-Json conditions(eval::Op op, const eval::Input& input, const certified::Response& response);
+Json conditions(Op op, const operations::Input& input, const certified::Response& response);
 
 /// 4 (loads + 1) max|v| over the size of each list of velocities.
-Json conditions(const certified::GroupInput& group, const certified::GroupResponse& response);
+Json conditions(const operations::GroupInput& group, const certified::GroupResponse& response);
 
 }  // namespace tps::vectors

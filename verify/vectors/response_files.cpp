@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "verify/eval/operations.hpp"
+#include "verify/operations/catalogue.hpp"
 #include "verify/vectors/response_encounters.hpp"
 #include "verify/vectors/stratum.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace encounters;  // the tables below name them
 
-Json input_of(const eval::Operation& operation, const Encounter& e) {
+Json input_of(const operations::Operation& operation, const Encounter& e) {
   const std::map<std::string, Json> every{{"u_A", hex(e.u_A)},
                                           {"u_B", hex(e.u_B)},
                                           {"v_A", hex(e.v_A)},
@@ -31,10 +31,10 @@ Json input_of(const eval::Operation& operation, const Encounter& e) {
 }
 
 /// û needs two points, and eq. (5) a velocity across it.
-bool has_answer(const eval::Operation& operation, const Encounter& e) {
+bool has_answer(const operations::Operation& operation, const Encounter& e) {
   if (!operation.needs_axis) return true;
   if (e.u_A == e.u_B) return false;
-  if (operation.op != eval::Op::revolution_impulse) return true;
+  if (operation.op != Op::revolution_impulse) return true;
   double dot = 0, r = 0, v = 0;  // exact for the integers, the only stratum where v_ŵ = 0 is not by design
   for (std::size_t k = 0; k < e.u_A.size(); ++k) {
     dot += (e.u_B[k] - e.u_A[k]) * (e.v_B[k] - e.v_A[k]);
@@ -73,44 +73,43 @@ constexpr int kFewInSpace = 30, kFewerInSpace = 18;
 
 /// What one operation alone is asked.
 struct OwnFamily {
-  eval::Op op;
+  Op op;
   Family family;
   int in_space;
 };
 
 constexpr OwnFamily own_families[] = {
-    {eval::Op::collision_impulse, elastic, kInSpace},
-    {eval::Op::tether_response,
+    {Op::collision_impulse, elastic, kInSpace},
+    {Op::tether_response,
      {"boundary", "|c_retract v_n| = tan(theta) |v_w| exactly: either response passes", boundary},
      kInSpace},
-    {eval::Op::tether_response, {"near_boundary", "one bit beside that boundary", near_boundary}, kInSpace},
-    {eval::Op::tether_response,
+    {Op::tether_response, {"near_boundary", "one bit beside that boundary", near_boundary}, kInSpace},
+    {Op::tether_response,
      {"graded_boundary", "beside that boundary by 2^-k of it, k from 5 to 45", graded_boundary},
      kInSpace},
-    {eval::Op::tether_response,
+    {Op::tether_response,
      {"graded_across", "c_retract = 0, |v_w| = 2^-k |v_n|, k from 5 to 45", graded_across},
      kFewInSpace},
-    {eval::Op::apply_impulse,
+    {Op::apply_impulse,
      {"any_mass", "masses and impulses times 2^j, j from -120 to 120", any_mass},
      kFewerInSpace},
-    {eval::Op::collision_impulse,
+    {Op::collision_impulse,
      {"graded_masses", "m_B = m_A (1 -+ 2^-k), k from 5 to 45", graded_masses},
      kFewerInSpace},
-    {eval::Op::revolution_impulse,
+    {Op::revolution_impulse,
      {"graded_angle", "multiples of 15 degrees times 1 -+ 2^-k, k from 5 to 45", graded_angle},
      kFewerInSpace},
-    {eval::Op::revolution_impulse, elastic, kFewerInSpace},
-    {eval::Op::tether_response, elastic, kFewerInSpace},
+    {Op::revolution_impulse, elastic, kFewerInSpace},
+    {Op::tether_response, elastic, kFewerInSpace},
 };
 
 bool is_planar(const Family& family, std::uint64_t number, int in_space) {
   return family.name == std::string_view(kPlane) || dimension_of_case(number, in_space) == 2;
 }
 
-void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, const Family& family,
+void add_family(std::vector<Stratum>& strata, const operations::Operation& operation, const Family& family,
                 int in_space = kInSpace) {
-  const std::vector<std::string> accept{"R", "K(16)"};
-  strata.push_back({std::string(operation.name), family.name, family.why, in_space + kInThePlane, accept,
+  strata.push_back({operation.op, family.name, family.why, in_space + kInThePlane,
                     [&operation, family, in_space](Random& random, std::uint64_t number) -> Problem {
                       const bool planar = is_planar(family, number, in_space);
                       Encounter encounter;
@@ -125,12 +124,12 @@ void add_family(std::vector<Stratum>& strata, const eval::Operation& operation, 
 }  // namespace
 
 void add_response_strata(std::vector<Stratum>& strata) {
-  for (const char* name : {"apply_impulse", "collision_impulse", "revolution_impulse", "tether_response",
-                           "load", "restitution_impulse"}) {
-    const eval::Operation& operation = *eval::find_operation(name);
+  for (const Op op : {Op::apply_impulse, Op::collision_impulse, Op::revolution_impulse, Op::tether_response,
+                      Op::load, Op::restitution_impulse}) {
+    const operations::Operation& operation = operations::operation(op);
     for (const Family& family : response_families) add_family(strata, operation, family);
-    for (const auto& [op, family, in_space] : own_families) {
-      if (op == operation.op) add_family(strata, operation, family, in_space);
+    for (const auto& [whose, family, in_space] : own_families) {
+      if (whose == op) add_family(strata, operation, family, in_space);
     }
     const bool restores = std::any_of(operation.keys.begin(), operation.keys.end(),
                                       [](const std::string& key) { return key.starts_with("c"); });

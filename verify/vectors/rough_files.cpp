@@ -250,11 +250,7 @@ Json input_of(const Rebound& x) {
 
 void add_rough_strata(std::vector<Stratum>& strata) {
   const auto add = [&](const char* name, const char* why, auto rebound) {
-    strata.push_back({"rough_impulse",
-                      name,
-                      why,
-                      rough_files::kCommitted,
-                      {"R", "K(16)"},
+    strata.push_back({Op::rough_impulse, name, why, rough_files::kCommitted,
                       [name, rebound](Random& random, std::uint64_t number) -> Problem {
                         return {rough_files::input_of(rebound(random, number)), {name}};
                       }});

@@ -19,15 +19,16 @@ struct Problem {
 
 /// One file: cases number 0, 1, 2, … of one operation that aim at one thing.
 struct Stratum {
-  std::string op;
+  Op op;
   std::string name;
   std::string why;
   int committed;  ///< cases of levels 1 and 2, those in data/vectors
-  std::vector<std::string> accept;
   std::function<Problem(Random&, std::uint64_t number)> problem;
   int together = 1;  ///< so many neighbouring cases come from one stream (twins: 2)
 
-  std::string file_name() const { return op + "." + name + ".jsonl"; }
+  /// "block_time.graze".
+  std::string full_name() const { return std::string(operations::name(op)) + "." + name; }
+  std::string file_name() const { return full_name() + ".jsonl"; }
 };
 
 /// Strata in space go on in the plane for so many cases, then in space again.

@@ -84,20 +84,19 @@ TimingQuery units(Random& random, Kind kind, int dimension) {
 }  // namespace
 
 void add_timing_strata(std::vector<Stratum>& strata) {
-  const std::vector<std::string> accept{"R", "K(8)"};
   for (const Kind kind : {Kind::block, Kind::tether}) {
-    const std::string op = kind == Kind::block ? "block_time" : "tether_time";
+    const Op op = operations::timing_of(kind);
     for (const exact::strata::TimingStratum& family : exact::strata::timing_strata()) {
       const int in_space = family.name == "graze" ? 300 : family.name == "graded_limit" ? 60 : 125;
       strata.push_back(
-          {op, std::string(family.name), std::string(family.why), in_space + kInThePlane, accept,
+          {op, std::string(family.name), std::string(family.why), in_space + kInThePlane,
            [kind, family, in_space](Random& random, std::uint64_t number) -> Problem {
              const TimingQuery query = family.query(random, kind, dimension_of_case(number, in_space));
              return {timing_input(query, written_dimension(query, number)), tags_of(query, family.name)};
            },
            family.name == "planar" ? 2 : 1});
     }
-    strata.push_back({op, "twins", "one bit apart on the two sides of a change of verdict", 200, accept,
+    strata.push_back({op, "twins", "one bit apart on the two sides of a change of verdict", 200,
                       [kind](Random& random, std::uint64_t number) -> Problem {
                         const auto [one, other] = verdict_twins(random, kind);
                         const TimingQuery& query = number % 2 == 0 ? one : other;
@@ -106,7 +105,7 @@ void add_timing_strata(std::vector<Stratum>& strata) {
                       2});
     const auto add = [&](const char* name, const char* why, int in_space,
                          TimingQuery (*query_of)(Random&, Kind, int)) {
-      strata.push_back({op, name, why, in_space + kInThePlane, accept,
+      strata.push_back({op, name, why, in_space + kInThePlane,
                         [kind, name, in_space, query_of](Random& random, std::uint64_t number) -> Problem {
                           const int dimension = dimension_of_case(number, in_space);
                           return {timing_input(query_of(random, kind, dimension), dimension), {name}};

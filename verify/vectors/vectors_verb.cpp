@@ -28,14 +28,14 @@ struct Selection {
     const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
       return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
     };
-    return wanted(ops, stratum.op) && wanted(names, stratum.name);
+    return wanted(ops, std::string(operations::name(stratum.op))) && wanted(names, stratum.name);
   }
 };
 
 void add_selection(CLI::App& verb, Selection& selection) {
   std::set<std::string> ops, names;
   for (const Stratum& stratum : vectors::strata()) {
-    ops.insert(stratum.op);
+    ops.emplace(operations::name(stratum.op));
     names.insert(stratum.name);
   }
   verb.add_option("--op", selection.ops, "Only these operations")->check(CLI::IsMember(ops));
@@ -61,7 +61,7 @@ void list_strata(const Selection& selection) {
   Output out("-");
   for (const Stratum& s : vectors::strata()) {
     if (selection.has(s))
-      out.write(fmt::format("{:<19} {:<14} {:>4}  {}\n", s.op, s.name, s.committed, s.why));
+      out.write(fmt::format("{:<19} {:<14} {:>4}  {}\n", operations::name(s.op), s.name, s.committed, s.why));
   }
   out.close();
 }

@@ -189,11 +189,7 @@ constexpr Family families[] = {
 void add_wall_strata(std::vector<Stratum>& strata) {
   for (const wall_files::Family& family : wall_files::families) {
     const bool is_planar = family.query == wall_files::planar;
-    strata.push_back({"wall_time",
-                      family.name,
-                      family.why,
-                      wall_files::kCommitted,
-                      {"R", "K(8)"},
+    strata.push_back({Op::wall_time, family.name, family.why, wall_files::kCommitted,
                       [family, is_planar](Random& random, std::uint64_t number) -> Problem {
                         const int dimension = is_planar && number % 2 == 0 ? 2 : 3;
                         return {timing_input(family.query(random), dimension), {family.name}};

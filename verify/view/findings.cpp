@@ -26,14 +26,15 @@ int index_of(const Scene& scene, std::int32_t id) {
 }
 
 struct Answered {
-  std::string_view op, key, of;
+  operations::Op op;
+  std::string_view key, of;
 };
 /// Which number of which operation can be drawn: it belongs to the first particle of the finding, which asks
 /// about it as A (rules/impulse.hpp).
-constexpr Answered kDrawn[] = {{"collision_impulse", "dp", "dp"},
-                               {"tether_response", "dp", "dp"},
-                               {"apply_impulse", "v_A", "velocity"},
-                               {"load", "v_load", "velocity"}};
+constexpr Answered kDrawn[] = {{operations::Op::collision_impulse, "dp", "dp"},
+                               {operations::Op::tether_response, "dp", "dp"},
+                               {operations::Op::apply_impulse, "v_A", "velocity"},
+                               {operations::Op::load, "v_load", "velocity"}};
 
 std::vector<Expected> expected_of(const check::Finding& finding, const Scene& scene) {
   static const std::string source = "a finding";
@@ -42,7 +43,7 @@ std::vector<Expected> expected_of(const check::Finding& finding, const Scene& sc
   for (const Answered& drawn : kDrawn) {
     if (finding.replay->op != drawn.op || particle < 0) continue;
     const JsonDocument in = parse_json(finding.replay->in, source);
-    const nlohmann::ordered_json out = protocol::answer(drawn.op, in.root, source, "");
+    const nlohmann::ordered_json out = protocol::answer(drawn.op, in.root, {source, ""});
     if (out.contains(drawn.key))
       expected.push_back({particle, drawn.of, vector_of(out.at(std::string(drawn.key)))});
   }

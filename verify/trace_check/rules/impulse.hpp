@@ -27,10 +27,11 @@ void describe_impulse(const Context<Number>& c, const BodiesNow<Number>& b, cons
   };
   ReplayInput in = replay_of_bodies(b, place(b.i), place(b.j), dimension);
   if (event.kind == Kind::rebound) {
-    f.replay = Replay{"collision_impulse", in.number("c", rules.c_rebound).json()};
+    f.replay = Replay{operations::Op::collision_impulse, in.number("c", rules.c_rebound).json()};
   } else {
     in.number("c_retract", rules.c_retract).number("c_revolve", rules.c_revolve);
-    f.replay = Replay{"tether_response", in.number("theta_revolve_deg", rules.theta_deg).json()};
+    f.replay =
+        Replay{operations::Op::tether_response, in.number("theta_revolve_deg", rules.theta_deg).json()};
   }
 }
 
@@ -160,7 +161,7 @@ void judge_velocity_after(const Context<Number>& c, const EventLine<Number>& eve
         .vector("v_A", before)
         .vector("v_B", Vec<W>{})
         .vector("dp", impulse);
-    f.replay = Replay{"apply_impulse", in.json()};
+    f.replay = Replay{operations::Op::apply_impulse, in.json()};
   });
 }
 
@@ -229,7 +230,7 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
           .number("m_B", mass_of(b.inverse_j))
           .vector("v_A", b.v_i)
           .vector("v_B", b.v_j);
-      f.replay = Replay{"load", in.json()};
+      f.replay = Replay{operations::Op::load, in.json()};
     });
   }
   if (!event.dp_stored) return;
@@ -247,7 +248,7 @@ void judge_load(const Context<Number>& c, const EventLine<Number>& event, const 
                    ReplayInput in(dimension);
                    in.number("m_A", mass_of(b.inverse_i)).number("m_B", mass_of(b.inverse_j));
                    in.vector("v_A", b.v_i).vector("v_B", b.v_j).vector("dp", dp);
-                   f.replay = Replay{"restitution_impulse", in.json()};
+                   f.replay = Replay{operations::Op::restitution_impulse, in.json()};
                  });
 }
 

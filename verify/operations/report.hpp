@@ -5,9 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/eval/operations.hpp"
-
-namespace tps::eval {
+namespace tps::operations {
 
 /// How much of an evaluation a report has.
 enum class Detail {
@@ -35,11 +33,8 @@ struct Report {
   std::vector<Quantity> steps, results;
 };
 
-std::string report_text(const Operation& operation, std::string_view scalar, const Report& report);
-std::string report_json(const Operation& operation, std::string_view scalar, const Report& report);
-
-/// The same under any heading, and for any operation's name.
+/// For people, under a heading; and as the JSON of `tps eval`.
 std::string report_text(std::string_view heading, const Report& report);
 std::string report_json(std::string_view operation, std::string_view scalar, const Report& report);
 
-}  // namespace tps::eval
+}  // namespace tps::operations

@@ -11,10 +11,10 @@
 
 #include "reference/equations/vector.hpp"
 #include "reference/text/hexfloat.hpp"
-#include "verify/eval/no_answer.hpp"
-#include "verify/eval/report.hpp"
+#include "verify/operations/no_answer.hpp"
+#include "verify/operations/report.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 template <typename Scalar>
 class ReportIn {
@@ -80,4 +80,4 @@ class ReportIn {
   Report report_;
 };
 
-}  // namespace tps::eval
+}  // namespace tps::operations

@@ -1,4 +1,4 @@
-#include "verify/protocol/read_input.hpp"
+#include "verify/operations/compound_input.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,8 @@
 #include "reference/scene/read_scene.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/nearest_name.hpp"
-#include "verify/certified/next_event_input.hpp"
 
-namespace tps::protocol {
+namespace tps::operations {
 namespace {
 
 /// Groups of the paper's scenes hold a few bodies; exact fractions grow with each load.
@@ -26,11 +25,6 @@ Place inside(const Place& place, std::string_view step) {
   return {place.source, fmt::format("{}/{}", place.pointer, step)};
 }
 
-const std::vector<std::string>& timing_keys() {
-  static const std::vector<std::string> keys{"u_A", "u_B", "v_A", "v_B", "L"};
-  return keys;
-}
-
 /// One of two words.
 bool is_second_word(const JsonValue& value, const Place& place, std::string_view one, std::string_view two) {
   const std::string* word = value.string();
@@ -39,16 +33,16 @@ bool is_second_word(const JsonValue& value, const Place& place, std::string_view
   return *word == two;
 }
 
-certified::TimingInput read_query(const JsonValue& value, const Place& place) {
+TimingInput read_query(const JsonValue& value, const Place& place) {
   const bool tether = is_second_word(member(value, "kind", place), inside(place, "kind"), "block", "tether");
-  return {tether ? exact::Kind::tether : exact::Kind::block,
-          eval::read_object("a timing query", timing_keys(), value, place.source, place.pointer, "kind")};
+  return {tether ? TimingKind::tether : TimingKind::block,
+          read_object("a timing query", operation(Op::block_time).keys, value, place, "kind")};
 }
 
 /// One query of an order from the words that begin with its prefix.
-certified::TimingInput query_from_words(const std::vector<std::string>& words, const std::string& prefix) {
+TimingInput query_from_words(const std::vector<std::string>& words, const std::string& prefix) {
   const std::string kind_key = prefix + "kind=";
-  certified::TimingInput query{exact::Kind::block, {}};
+  TimingInput query{TimingKind::block, {}};
   std::optional<std::string> given;
   std::vector<std::string> numbers;
   for (const std::string& word : words) {
@@ -64,9 +58,9 @@ certified::TimingInput query_from_words(const std::vector<std::string>& words, c
                        fmt::format("{0}kind is {1}; write {0}kind=block or {0}kind=tether", prefix,
                                    given ? *given : "missing")}});
   }
-  if (given == "tether") query.kind = exact::Kind::tether;
+  if (given == "tether") query.kind = TimingKind::tether;
   const std::string which = prefix.substr(0, prefix.size() - 1);
-  query.numbers = eval::read_words(query.operation(), numbers, "command line, " + which);
+  query.numbers = read_words(query.operation(), numbers, "command line, " + which);
   return query;
 }
 
@@ -80,20 +74,18 @@ const JsonValue::Array& list(const JsonValue& in, const char* key, std::size_t m
   return *value.array();
 }
 
-certified::GroupInput::Body read_body(const JsonValue& value, const Place& place) {
+GroupInput::Body read_body(const JsonValue& value, const Place& place) {
   static const std::vector<std::string> keys{"m", "u", "v"};
-  const eval::Input body = eval::read_object("a body", keys, value, place.source, place.pointer, "");
+  const Input body = read_object("a body", keys, value, place, "");
   return {body.values.at("m")[0], body.values.at("u"), body.values.at("v")};
 }
 
-certified::GroupInput::Collision read_collision(const JsonValue& value, std::size_t bodies,
-                                                const Place& place) {
+GroupInput::Collision read_collision(const JsonValue& value, std::size_t bodies, const Place& place) {
   static const std::vector<std::string> inner_keys{"i", "j", "c"};
   static const std::vector<std::string> outer_keys{"i", "j", "c_retract", "c_revolve", "theta_revolve_deg"};
   const bool outer = is_second_word(member(value, "limit", place), inside(place, "limit"), "inner", "outer");
-  const eval::Input in =
-      eval::read_object(outer ? "an outer collision" : "an inner collision", outer ? outer_keys : inner_keys,
-                        value, place.source, place.pointer, "limit");
+  const Input in = read_object(outer ? "an outer collision" : "an inner collision",
+                               outer ? outer_keys : inner_keys, value, place, "limit");
   const auto number = [&](const char* key) { return in.values.at(key)[0]; };
   const auto index = [&](const char* key) {
     const double x = number(key);
@@ -103,7 +95,7 @@ certified::GroupInput::Collision read_collision(const JsonValue& value, std::siz
     }
     return static_cast<std::size_t>(x);
   };
-  certified::GroupInput::Collision collision{index("i"), index("j"), outer};
+  GroupInput::Collision collision{index("i"), index("j"), outer};
   if (!outer) {
     collision.c = number("c");
     return collision;
@@ -148,8 +140,8 @@ OrderInput read_order_words(const std::vector<std::string>& words) {
   return {query_from_words(words, "first."), query_from_words(words, "second.")};
 }
 
-certified::GroupInput read_group(const JsonValue& in, const Place& place) {
-  certified::GroupInput group;
+GroupInput read_group(const JsonValue& in, const Place& place) {
+  GroupInput group;
   const JsonValue::Array& bodies = list(in, "bodies", kMostBodies, place);
   for (std::size_t n = 0; n < bodies.size(); ++n) {
     const Place here = inside(place, fmt::format("bodies/{}", n));
@@ -172,11 +164,10 @@ Scene read_scene_in(const JsonValue& in, const Place& place) {
   const JsonValue& value = member(in, "scene", place);
   const Place here = inside(place, "scene");
   const JsonValue* particles = value.find("particles");
-  if (particles != nullptr && particles->array() != nullptr &&
-      particles->array()->size() > certified::kMostParticles) {
+  if (particles != nullptr && particles->array() != nullptr && particles->array()->size() > kMostParticles) {
     refuse(*particles, inside(here, "particles"),
            fmt::format("has {} entries; the protocol takes at most {} particles; `tps run` takes any",
-                       particles->array()->size(), certified::kMostParticles));
+                       particles->array()->size(), kMostParticles));
   }
   return read_scene_value(value, here.source, here.pointer);
 }
@@ -209,4 +200,4 @@ SimulateInput read_simulate(const JsonValue& in, const Place& place) {
   return input;
 }
 
-}  // namespace tps::protocol
+}  // namespace tps::operations

@@ -1,4 +1,4 @@
-#include "verify/eval/report.hpp"
+#include "verify/operations/report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "reference/text/plain_json.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 namespace {
 
 std::string spelled(const Quantity& q, std::string Number::*spelling) {
@@ -46,11 +46,6 @@ nlohmann::ordered_json to_json(const std::vector<Quantity>& quantities) {
 
 }  // namespace
 
-std::string report_text(const Operation& operation, std::string_view scalar, const Report& report) {
-  return report_text(
-      fmt::format("{}, {}: {}; in {}", operation.name, rule_name(operation), operation.what, scalar), report);
-}
-
 std::string report_text(std::string_view heading, const Report& report) {
   const auto head = [](const Quantity& q) {
     return q.formula.empty() ? q.symbol : fmt::format("{} = {}", q.symbol, q.formula);
@@ -75,10 +70,6 @@ std::string report_text(std::string_view heading, const Report& report) {
   return text;
 }
 
-std::string report_json(const Operation& operation, std::string_view scalar, const Report& report) {
-  return report_json(operation.name, scalar, report);
-}
-
 std::string report_json(std::string_view operation, std::string_view scalar, const Report& report) {
   const nlohmann::ordered_json document{{"op", operation},
                                         {"scalar", scalar},
@@ -87,4 +78,4 @@ std::string report_json(std::string_view operation, std::string_view scalar, con
   return json_text(document) + "\n";
 }
 
-}  // namespace tps::eval
+}  // namespace tps::operations

@@ -8,7 +8,7 @@
 
 #include "reference/text/input_error.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 /// Why the equations have no answer: eq. (5) is 0/0, the scalar does not hold a number, a group's collision
 /// is none. It knows no file; who has read the input makes an InputError of it.
@@ -33,4 +33,4 @@ inline constexpr const char* kNothingAcross =
     "retracts such "
     "a pair";
 
-}  // namespace tps::eval
+}  // namespace tps::operations

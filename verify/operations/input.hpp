@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "reference/text/json_document.hpp"
-#include "verify/eval/operations.hpp"
+#include "verify/operations/catalogue.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 /// Doubles by key; each vector has `dimension` components, everything else has one.
 struct Input {
@@ -22,17 +22,18 @@ struct Input {
 Input read_words(const Operation& operation, const std::vector<std::string>& words,
                  const std::string& source = "command line");
 
-/// Reads the object that the protocol calls "in", or a whole request that has it; "-" is standard input.
-/// Throws InputError with everything that is wrong.
-Input read_json(const Operation& operation, const std::string& path);
+/// Where a value of JSON stands, for messages.
+struct Place {
+  const std::string& source;
+  std::string pointer;
+};
 
-/// The same of a value inside another document: `source` and `pointer` say where it stands in messages.
-Input read_value(const Operation& operation, const JsonValue& object, const std::string& source,
-                 const std::string& pointer);
+/// The same of a value of JSON: the object that the protocol calls "in".
+Input read_value(const Operation& operation, const JsonValue& object, const Place& place);
 
 /// The same for any object of numbers with the given keys (their domains are those of operations), which
 /// messages call `name`. The key `other_key` is the caller's and may be there, too.
 Input read_object(std::string_view name, const std::vector<std::string>& keys, const JsonValue& object,
-                  const std::string& source, const std::string& pointer, std::string_view other_key);
+                  const Place& place, std::string_view other_key);
 
-}  // namespace tps::eval
+}  // namespace tps::operations

@@ -1,4 +1,4 @@
-#include "verify/eval/input.hpp"
+#include "verify/operations/input.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,18 +8,16 @@
 #include <limits>
 #include <optional>
 
-#include "reference/text/file_kind.hpp"
 #include "reference/text/input_error.hpp"
-#include "reference/text/json_document.hpp"
 #include "reference/text/json_number.hpp"
 #include "reference/text/json_pointer.hpp"
 #include "reference/text/nearest_name.hpp"
 #include "reference/text/number_text.hpp"
 #include "reference/text/printable.hpp"
-#include "reference/text/text_file.hpp"
 #include "reference/text/typed_number.hpp"
+#include "verify/operations/domain.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 namespace {
 
 /// Collects what was read, and everything that is wrong with it.
@@ -267,28 +265,13 @@ Input read_words(const Operation& operation, const std::vector<std::string>& wor
   return reader.finish();
 }
 
-Input read_json(const Operation& operation, const std::string& path) {
-  refuse_other_kinds_of_file(path, "the input of an operation", {FileKind::requests});
-  const JsonDocument document = parse_json_file(path, "the input of one operation is a small object");
-  document.problems.throw_if_any();
-  const JsonValue* in = document.root.find("in");
-  if (in == nullptr) return read_value(operation, document.root, display_name(path), "");
-  const JsonValue* op = document.root.find("op");
-  if (op != nullptr && (op->string() == nullptr || *op->string() != operation.name)) {
-    throw InputError({{display_name(path), op->line, "/op",
-                       fmt::format("the request is for another operation than {}", operation.name)}});
-  }
-  return read_value(operation, *in, display_name(path), "/in");
-}
-
-Input read_value(const Operation& operation, const JsonValue& object, const std::string& source,
-                 const std::string& pointer) {
-  return read_members(Reader(operation, source), object, pointer, "");
+Input read_value(const Operation& operation, const JsonValue& object, const Place& place) {
+  return read_members(Reader(operation, place.source), object, place.pointer, "");
 }
 
 Input read_object(std::string_view name, const std::vector<std::string>& keys, const JsonValue& object,
-                  const std::string& source, const std::string& pointer, std::string_view other_key) {
-  return read_members(Reader(name, keys, source), object, pointer, other_key);
+                  const Place& place, std::string_view other_key) {
+  return read_members(Reader(name, keys, place.source), object, place.pointer, other_key);
 }
 
-}  // namespace tps::eval
+}  // namespace tps::operations

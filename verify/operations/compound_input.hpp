@@ -7,17 +7,10 @@
 
 #include "reference/scene/scene.hpp"
 #include "reference/text/json_document.hpp"
-#include "verify/certified/certified_response.hpp"
-#include "verify/certified/timing_input.hpp"
-#include "verify/eval/input.hpp"
+#include "verify/operations/group_input.hpp"
+#include "verify/operations/timing_input.hpp"
 
-namespace tps::protocol {
-
-/// Where a value stands, for messages.
-struct Place {
-  const std::string& source;
-  std::string pointer;
-};
+namespace tps::operations {
 
 /// The member `key` of an object. Throws InputError where it is missing or the value is no object.
 const JsonValue& member(const JsonValue& object, const char* key, const Place& place);
@@ -26,7 +19,7 @@ const JsonValue& member(const JsonValue& object, const char* key, const Place& p
 void require_keys(const JsonValue& object, const std::vector<std::string>& keys, const Place& place);
 
 struct OrderInput {
-  certified::TimingInput first, second;
+  TimingInput first, second;
 };
 
 /// {"first":{"kind":"block","u_A":…},"second":{"kind":"tether",…}}. Throws InputError.
@@ -37,7 +30,10 @@ OrderInput read_order_words(const std::vector<std::string>& words);
 
 /// {"bodies":[{"m","u","v"},…],"collisions":[{"i","j","limit":"inner","c"} or
 /// {"i","j","limit":"outer","c_retract", "c_revolve","theta_revolve_deg"},…]}. Throws InputError.
-certified::GroupInput read_group(const JsonValue& in, const Place& place);
+GroupInput read_group(const JsonValue& in, const Place& place);
+
+/// So many particles are half a million pairs, each asked exactly.
+constexpr std::size_t kMostParticles = 1000;
 
 /// {"scene":{…}}. Throws InputError.
 Scene read_next_event(const JsonValue& in, const Place& place);
@@ -54,4 +50,4 @@ struct SimulateInput {
 /// InputError.
 SimulateInput read_simulate(const JsonValue& in, const Place& place);
 
-}  // namespace tps::protocol
+}  // namespace tps::operations

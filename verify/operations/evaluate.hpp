@@ -3,10 +3,10 @@
 
 #include <string_view>
 
-#include "verify/eval/input.hpp"
-#include "verify/eval/report.hpp"
+#include "verify/operations/input.hpp"
+#include "verify/operations/report.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 /// Evaluates in `Scalar`; `name` is what messages call it. Throws NoAnswer where the scalar cannot hold a
 /// number or a result, and where eq. (5) is asked of a pair without tangential motion.
@@ -14,8 +14,8 @@ namespace tps::eval {
 template <typename Scalar>
 Report evaluate_in(const Operation& operation, const Input& input, std::string_view name, Detail detail);
 
-/// The same by the scalar's name. REQUIRES one of scalar_names() (reference/run/run.hpp).
+/// The same by the scalar's name. REQUIRES is_of_numbers() and one of scalar_names() (reference/run/run.hpp).
 Report evaluate(const Operation& operation, const Input& input, std::string_view scalar,
                 Detail detail = Detail::everything);
 
-}  // namespace tps::eval
+}  // namespace tps::operations

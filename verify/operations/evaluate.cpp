@@ -1,9 +1,9 @@
-#include "verify/eval/evaluate.hpp"
+#include "verify/operations/evaluate.hpp"
 
 #include "reference/run/run.hpp"
 #include "reference/scalars.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 Report evaluate(const Operation& operation, const Input& input, std::string_view scalar, Detail detail) {
   return AllScalars::ask_of<Report>(
@@ -11,4 +11,4 @@ Report evaluate(const Operation& operation, const Input& input, std::string_view
       [&]<typename Scalar>() { return evaluate_in<Scalar>(operation, input, scalar, detail); });
 }
 
-}  // namespace tps::eval
+}  // namespace tps::operations

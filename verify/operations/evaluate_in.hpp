@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "reference/equations/drag_time.hpp"
@@ -17,11 +18,11 @@
 #include "reference/equations/rough_impulse.hpp"
 #include "reference/equations/tether_response.hpp"
 #include "reference/equations/wall_time.hpp"
-#include "verify/eval/evaluate.hpp"
-#include "verify/eval/no_answer.hpp"
-#include "verify/eval/report_in.hpp"
+#include "verify/operations/evaluate.hpp"
+#include "verify/operations/no_answer.hpp"
+#include "verify/operations/report_in.hpp"
 
-namespace tps::eval {
+namespace tps::operations {
 
 template <typename Scalar, int D>
 class Evaluation : private ReportIn<Scalar> {
@@ -71,6 +72,11 @@ class Evaluation : private ReportIn<Scalar> {
       case Op::rough_impulse:
         rough();
         break;
+      case Op::order:
+      case Op::group:
+      case Op::next_event:
+      case Op::simulate:
+        throw std::invalid_argument(std::string(name(op)) + " takes more than numbers");
     }
     return this->report();
   }
@@ -270,4 +276,4 @@ Report evaluate_in(const Operation& operation, const Input& input, std::string_v
   return Evaluation<Scalar, 3>(input, name, detail).of(operation.op);
 }
 
-}  // namespace tps::eval
+}  // namespace tps::operations

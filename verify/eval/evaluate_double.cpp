@@ -1,4 +1,0 @@
-#include "verify/eval/evaluate_in.hpp"
-
-template tps::eval::Report tps::eval::evaluate_in<double>(const Operation&, const Input&, std::string_view,
-                                                          Detail);

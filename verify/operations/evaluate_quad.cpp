@@ -1,0 +1,5 @@
+#include "reference/scalars.hpp"
+#include "verify/operations/evaluate_in.hpp"
+
+template tps::operations::Report tps::operations::evaluate_in<tps::Quad>(const Operation&, const Input&,
+                                                                         std::string_view, Detail);
