@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "reference/equations/wide_square_root.hpp"
+#include "reference/scalar_kind.hpp"
 
 namespace tps {
 
@@ -38,17 +39,16 @@ struct ScalarList {
   /// Of their significands.
   static constexpr std::array<int, sizeof...(Scalars)> bits{std::numeric_limits<Scalars>::digits...};
 
-  /// ask.operator()<Scalar>() of the n-th. REQUIRES n < names.size().
+  /// ask.operator()<Scalar>() of one of them.
   template <typename Result, typename Ask>
-  static Result ask_of(std::size_t n, const Ask& ask) {
+  static Result with(ScalarKind scalar, const Ask& ask) {
     constexpr std::array<Result (*)(const Ask&), sizeof...(Scalars)> asks{
         [](const Ask& each) -> Result { return each.template operator()<Scalars>(); }...};
-    return asks.at(n)(ask);
+    return asks.at(static_cast<std::size_t>(scalar))(ask);
   }
 };
 
-/// The one list, in the order of ScalarKind (reference/run/run.hpp): names, digits and dispatches are made of
-/// it.
+/// The one list, in the order of ScalarKind: names, digits and dispatches are made of it.
 using AllScalars = ScalarList<float, double, long double, Quad, Mp50, Mp100>;
 
 }  // namespace tps

@@ -6,8 +6,8 @@
 namespace tps {
 
 GroupedVelocities group_bodies(const GroupedBodies& question, ScalarKind scalar) {
-  return AllScalars::ask_of<GroupedVelocities>(static_cast<std::size_t>(scalar),
-                                               [&]<typename Scalar>() { return group_in<Scalar>(question); });
+  return AllScalars::with<GroupedVelocities>(scalar,
+                                             [&]<typename Scalar>() { return group_in<Scalar>(question); });
 }
 
 }  // namespace tps

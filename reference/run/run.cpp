@@ -15,21 +15,6 @@
 
 namespace tps {
 
-const std::vector<std::string>& scalar_names() {
-  static const std::vector<std::string> names(AllScalars::names.begin(), AllScalars::names.end());
-  return names;
-}
-
-int significant_bits(ScalarKind scalar) {
-  return AllScalars::bits.at(static_cast<std::size_t>(scalar));
-}
-
-std::optional<ScalarKind> scalar_kind(std::string_view name) {
-  const auto found = std::find(scalar_names().begin(), scalar_names().end(), name);
-  if (found == scalar_names().end()) return std::nullopt;
-  return static_cast<ScalarKind>(found - scalar_names().begin());
-}
-
 const std::vector<std::string>& timing_names() {
   static const std::vector<std::string> names = {"paper", "stable", "certified"};
   return names;
@@ -76,9 +61,8 @@ void require_same_run(const std::string& checkpoint, const TraceHead& head, cons
 }
 
 RunSummary run_any(const Scene& scene, const RunOptions& options, const ResumePoint* resume) {
-  return AllScalars::ask_of<RunSummary>(static_cast<std::size_t>(options.scalar), [&]<typename Scalar>() {
-    return run_in<Scalar>(scene, options, resume);
-  });
+  return AllScalars::with<RunSummary>(
+      options.scalar, [&]<typename Scalar>() { return run_in<Scalar>(scene, options, resume); });
 }
 
 }  // namespace

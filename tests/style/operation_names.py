@@ -7,7 +7,7 @@ import sys
 
 source = pathlib.Path(sys.argv[1])
 CATALOGUE = source / "verify/operations/catalogue.cpp"
-names = set(re.findall(r'Op::(\w+), "\1"', CATALOGUE.read_text()))
+names = set(re.findall(r'Op::(\w+),\s+\.name = "\1"', CATALOGUE.read_text()))
 listed = set(re.search(r"enum class Op \{(.*?)\}", CATALOGUE.with_suffix(".hpp").read_text(), re.S).group(1).replace(",", " ").split())
 if not names or names != listed:
     sys.exit(f"in the catalogue, not in Op or the reverse: {sorted(names ^ listed)}")

@@ -2,12 +2,21 @@
 #include "reference/run/run_scalar.hpp"
 #include "reference/scalars.hpp"
 #include "verify/cli/not_built.hpp"
+#include "verify/trace_check/judge_lines.hpp"
 #include "verify/trace_check/witness.hpp"
 #include "verify/view/checked_page.hpp"
 #include "verify/view/page.hpp"
 
 namespace tps {
 
+template <>
+RunSummary run_in<float>(const Scene&, const RunOptions&, const ResumePoint*) {
+  throw cli::NotBuilt("a run in float");
+}
+template <>
+RunSummary run_in<long double>(const Scene&, const RunOptions&, const ResumePoint*) {
+  throw cli::NotBuilt("a run in long-double");
+}
 template <>
 RunSummary run_in<Quad>(const Scene&, const RunOptions&, const ResumePoint*) {
   throw cli::NotBuilt("a run in quad");
@@ -19,6 +28,11 @@ RunSummary run_in<Mp50>(const Scene&, const RunOptions&, const ResumePoint*) {
 template <>
 RunSummary run_in<Mp100>(const Scene&, const RunOptions&, const ResumePoint*) {
   throw cli::NotBuilt("a run in mp100");
+}
+
+std::unique_ptr<check::LineJudge> check::judge_of_wide(const JudgeParts&, std::string_view scalar,
+                                                       std::string_view, std::uint64_t) {
+  throw cli::NotBuilt("the check of a trace in " + std::string(scalar));
 }
 
 std::string check::witness_cases(const CheckReport&) {

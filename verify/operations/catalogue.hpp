@@ -46,17 +46,16 @@ enum class Answers {
 struct Operation {
   Op op;
   std::string_view name;
-  std::string_view
-      rule;  ///< of the paper: "(4)"; of an effect beyond it its name; empty where there are many
+  std::string_view rule = {};  ///< of the paper: "(4)"; of an effect its name; empty where there are many
   std::string_view what;
   Answers answers;
-  std::vector<std::string> keys;  ///< of its numbers, where it takes nothing else
-  std::string_view input;         ///< the shape of its object, for people, where it takes more
-  std::string_view part;          ///< of the system: "equations", "timing", "response", …
-  std::string_view page;          ///< of docs/
-  int accepted_k = 0;             ///< k of the K(k) within which answers count as right (docs/vectors.md)
-  bool needs_axis = false;        ///< û is needed: the positions must differ
-  bool is_certified = true;       ///< the protocol answers it
+  std::vector<std::string> keys = {};  ///< of its numbers, where it takes nothing else
+  std::string_view input = {};         ///< the shape of its object, for people, where it takes more
+  std::string_view part;               ///< of the system: "equations", "timing", "response", …
+  std::string_view page;               ///< of docs/
+  int accepted_k = 0;        ///< of K(k), within which known answers are met (docs/vectors.md); 0: R alone
+  bool needs_axis = false;   ///< û is needed: the positions must differ
+  bool is_certified = true;  ///< the protocol answers it
   std::string_view precision = "certified";  ///< of the protocol's answer
 };
 

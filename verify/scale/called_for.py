@@ -67,7 +67,7 @@ class Engines:
             include = ["-I" + str(folder)]
         program = folder / "engine_loop"
         capture([words[0], *include, *words[1:], "-g0", ROOT / "verify/scale/engine_loop.cpp", "-o", program,
-                 "-Wl,--start-group", self.build / "reference/libtps_reference.a", self.build / "reference/libtps_reference_wide.a",
+                 "-Wl,--start-group", self.build / "reference/libtps_reference.a", self.build / "reference/libtps_reference_scalars.a",
                  "-Wl,--end-group", "-lfmt"], cwd=self.build)
         return program
 

@@ -22,8 +22,8 @@ Precision<Wide> precision_of() {
 }
 
 Precision<Wide> precision_named(std::string_view scalar) {
-  return AllScalars::ask_of<Precision<Wide>>(static_cast<std::size_t>(scalar_kind(scalar).value()),
-                                             []<typename Scalar>() { return precision_of<Scalar>(); });
+  return AllScalars::with<Precision<Wide>>(scalar_kind(scalar).value(),
+                                           []<typename Scalar>() { return precision_of<Scalar>(); });
 }
 
 }  // namespace
