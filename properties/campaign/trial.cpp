@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <exception>
 
-#include "properties/runs/scratch_file.hpp"
 #include "properties/runs/simulator.hpp"
 #include "reference/text/input_error.hpp"
+#include "reference/text/scratch_file.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::properties::campaign {
@@ -25,7 +25,7 @@ std::string first_alarm(const check::CheckReport& report) {
 Trial judged(const std::string& text) {
   Trial trial;
   if (text.find("nan") != std::string::npos) return {Fate::alarm, 0, 0, false, "the trace holds a NaN"};
-  const runs::ScratchFile trace(text);
+  const ScratchFile trace(text);
   const check::CheckReport report = check::check_trace(trace.path());
   trial.events = report.events;
   trial.undecided = report.undecided();

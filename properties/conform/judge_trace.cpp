@@ -8,10 +8,10 @@
 
 #include "properties/conform/expected.hpp"
 #include "properties/conform/run_source.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/scratch_file.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -77,7 +77,7 @@ std::string words_of(const check::Finding& f) {
 }
 
 check::CheckReport checked(const std::string& scene, const std::string& trace) {
-  const runs::ScratchFile file(trace), scene_file(scene);
+  const ScratchFile file(trace), scene_file(scene);
   check::CheckOptions options;
   options.scene = scene_file.path();
   options.max_reports = 10 * kMostEventsOfARun;  // of each rule: all

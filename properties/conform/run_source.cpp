@@ -7,8 +7,8 @@
 
 #include "properties/conform/random_scene.hpp"
 #include "properties/implementations/child_process.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/scratch_file.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -77,7 +77,7 @@ RunSource command_runs(const std::vector<std::string>& words, std::chrono::milli
   const std::string command = fmt::format("{}", fmt::join(words, " "));
   return {command,
           [words, timeout](const Scene& scene) {
-            const runs::ScratchFile file(text_of_random(scene));
+            const ScratchFile file(text_of_random(scene));
             std::vector<std::string> whole = words;
             whole.push_back(file.path());
             return run(whole, timeout);

@@ -8,13 +8,13 @@
 
 #include "properties/conform/expected.hpp"
 #include "properties/conform/mistakes.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/pair_law.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/scene/write_scene.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
+#include "reference/text/scratch_file.hpp"
 
 namespace tps::properties::conform {
 namespace {
@@ -42,7 +42,7 @@ std::size_t law_of(const Scene& scene, int i, int j) {
 }
 
 Pulls pulls_in_run(const Scene& scene, std::uint64_t most_events) {
-  const runs::ScratchFile file;
+  const ScratchFile file;
   RunOptions options;
   options.max_events = most_events;
   options.trace = file.path();

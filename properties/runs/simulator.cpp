@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "properties/implementations/child_process.hpp"
-#include "properties/runs/scratch_file.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/write_scene.hpp"
+#include "reference/text/scratch_file.hpp"
 #include "verify/certified/exact_timing.hpp"
 
 namespace tps::properties::runs {

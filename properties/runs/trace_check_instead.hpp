@@ -5,7 +5,7 @@
 #include <string>
 
 #include "properties/runs/laws.hpp"
-#include "properties/runs/scratch_file.hpp"
+#include "reference/text/scratch_file.hpp"
 #include "verify/trace_check/check.hpp"
 
 namespace tps::properties::runs {

@@ -1,38 +1,14 @@
 #include "verify/cost/traced_run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
 
 #include "reference/process/interrupt.hpp"
+#include "reference/text/scratch_file.hpp"
 #include "verify/certified/exact_timing.hpp"
 
 namespace tps::cost {
 namespace {
-
-/// A file that is gone with its owner.
-class TemporaryFile {
- public:
-  TemporaryFile() : path_((std::filesystem::temp_directory_path() / "tps-cost-XXXXXX").string()) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) throw std::runtime_error("no temporary file can be made in " + path_);
-    close(file);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 std::vector<std::string> events_of(const std::string& trace) {
   std::vector<std::string> events;
@@ -55,7 +31,7 @@ RunSummary run(const Scene& scene, RunOptions options) {
 }  // namespace
 
 TracedRun traced_run(const Scene& scene, const RunOptions& options) {
-  const TemporaryFile trace;
+  const ScratchFile trace;
   RunOptions traced = options;
   traced.trace = trace.path();
   TracedRun result{run(scene, traced), {}};

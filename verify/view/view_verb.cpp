@@ -1,16 +1,12 @@
 // tps view
-#include <unistd.h>
-
-#include <cstdlib>
 #include <fstream>
 #include <memory>
-#include <system_error>
 
 #include "reference/process/interrupt.hpp"
 #include "reference/run/run.hpp"
 #include "reference/scene/read_scene.hpp"
 #include "reference/text/file_kind.hpp"
-#include "reference/text/output.hpp"
+#include "reference/text/scratch_file.hpp"
 #include "verify/cli/named_files.hpp"
 #include "verify/cli/numbers.hpp"
 #include "verify/cli/progress.hpp"
@@ -30,27 +26,6 @@ struct ViewArguments {
   bool quiet = false;
 };
 
-/// A file of ours that nobody else needs: gone in the end.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    const char* folder = std::getenv("TMPDIR");
-    path_ = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/tps-view-XXXXXX";
-    const int descriptor = ::mkstemp(path_.data());
-    if (descriptor < 0)
-      throw OutputError(path_ +
-                        ": a temporary file cannot be made: " + std::generic_category().message(errno));
-    ::close(descriptor);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { ::unlink(path_.c_str()); }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 bool is_scene(const std::string& path) {
   if (path == "-") return false;
   refuse_other_kinds_of_file(path, "a trace or a scene", {FileKind::trace, FileKind::scene});
@@ -68,7 +43,7 @@ view::Playback played(const ViewArguments& a) {
   options.most_events = a.most_events;
   options.stop = [] { return interrupt::requested(); };
   if (!is_scene(a.file)) return view::read_playback(a.file, options);
-  const TemporaryFile trace;
+  const ScratchFile trace;
   ProgressReport progress(a.quiet, "t");
   RunOptions run;
   run.trace = trace.path();

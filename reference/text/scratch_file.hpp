@@ -3,11 +3,11 @@
 
 #include <string>
 
-namespace tps::properties::runs {
+namespace tps {
 
 class ScratchFile {
  public:
-  /// A new, empty file in the system's directory for such. Throws std::runtime_error where there is none.
+  /// A new, empty file in $TMPDIR, else in /tmp. Throws OutputError where there can be none.
   ScratchFile();
   explicit ScratchFile(const std::string& content);
   ~ScratchFile();
@@ -21,4 +21,4 @@ class ScratchFile {
   std::string path_;
 };
 
-}  // namespace tps::properties::runs
+}  // namespace tps
