@@ -14,11 +14,14 @@
 namespace tps {
 
 ScratchFile::ScratchFile() {
-  const char* folder = std::getenv("TMPDIR");
-  path_ = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/tps-XXXXXX";
+  const char* named = std::getenv("TMPDIR");
+  const std::string folder = named != nullptr && *named != '\0' ? named : "/tmp";
+  path_ = folder + "/tps-XXXXXX";
   const int descriptor = ::mkstemp(path_.data());
   if (descriptor < 0)
-    throw OutputError(path_ + ": a temporary file cannot be made: " + std::generic_category().message(errno));
+    throw OutputError(folder +
+                      ": a temporary file cannot be made there: " + std::generic_category().message(errno) +
+                      "; set TMPDIR to a folder that can be written");
   ::close(descriptor);
 }
 

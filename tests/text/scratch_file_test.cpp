@@ -52,8 +52,10 @@ TEST(ScratchFile, SaysWhereThereCanBeNone) {
     const ScratchFile file;
     FAIL() << file.path();
   } catch (const OutputError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "/no/such/folder/tps-XXXXXX: a temporary file cannot be made: No such file or directory");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "/no/such/folder: a temporary file cannot be made there: No such file or directory; set TMPDIR to a "
+        "folder that can be written");
   }
 }
 
