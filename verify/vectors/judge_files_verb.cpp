@@ -122,8 +122,10 @@ class Ids {
 struct NamedOperation {
   explicit NamedOperation(const std::string& name) : operation(operations::find(name)) {
     if (operation != nullptr && operation->is_certified) return;
-    wrong = fmt::format("the header names operation \"{}\", which there is not{}",
-                        printable(name, kShownOfText), did_you_mean(name, protocol::operation_names()));
+    wrong =
+        fmt::format("the header names operation \"{}\", which {}", printable(name, kShownOfText),
+                    operation != nullptr ? "has no known answers"
+                                         : "there is not" + did_you_mean(name, protocol::operation_names()));
   }
 
   const operations::Operation* operation;
