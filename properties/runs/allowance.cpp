@@ -9,12 +9,12 @@ Allowance::Allowance(const ImpliedState& start, Real roundoff) : u_(roundoff) {
     largest_.push_back({start.flight(i).position.norm(), start.flight(i).velocity.norm()});
 }
 
-void Allowance::fly(const ImpliedState& replay, const Instant& t) {
-  for (int i = 0; i < replay.size(); ++i) {
+void Allowance::fly(const ImpliedState& implied, const Instant& t) {
+  for (int i = 0; i < implied.size(); ++i) {
     Largest& l = largest_[static_cast<std::size_t>(i)];
-    l.speed = std::max(l.speed, replay.flight(i).velocity.norm());
+    l.speed = std::max(l.speed, implied.flight(i).velocity.norm());
     l.path += l.speed * elapsed(now_, t);
-    l.coordinate = std::max(l.coordinate, replay.position(i, t).norm());
+    l.coordinate = std::max(l.coordinate, implied.position(i, t).norm());
   }
   now_ = t;
 }

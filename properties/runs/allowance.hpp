@@ -24,8 +24,8 @@ class Allowance {
  public:
   Allowance(const ImpliedState& start, Real roundoff);
 
-  /// Up to t every particle flies as `replay` has it. Called with ascending t.
-  void fly(const ImpliedState& replay, const Instant& t);
+  /// Up to t every particle flies as `implied` has it. Called with ascending t.
+  void fly(const ImpliedState& implied, const Instant& t);
   /// fly() to an event, and what it does.
   void note(const ImpliedState& before, const TracedEvent& event);
 

@@ -27,10 +27,10 @@ Point revolved(const Collided& c, Real c_revolve, Real theta_deg) {
 struct Answers {
   bool retract, revolve, nothing;
 };
-Answers allowed_answers(const ImpliedState& replay, const Collided& c, const TetheringLaw& law, Real u) {
+Answers allowed_answers(const ImpliedState& implied, const Collided& c, const TetheringLaw& law, Real u) {
   const Real speed = c.v_AB.norm();
-  const Real theta = radians(replay.stored_angle(law.theta_revolve_deg));
-  const Real along = std::abs(replay.stored(law.c_retract) * c.v_n) * std::cos(theta);
+  const Real theta = radians(implied.stored_angle(law.theta_revolve_deg));
+  const Real along = std::abs(implied.stored(law.c_retract) * c.v_n) * std::cos(theta);
   const Real across = c.v_across.norm() * std::sin(theta);
   const bool undecided = std::abs(along - across) <= 32 * u * speed || c.v_across.norm() <= 32 * u * speed;
   const bool rests_across = c.v_across.norm() <= 32 * u * speed;
@@ -48,14 +48,14 @@ std::optional<std::string> wrong_rebound(const Collided& c, const TracedEvent& e
                 44 * u * kSpare * c.mu * c.v_AB.norm());
 }
 
-std::optional<std::string> wrong_retraction(const ImpliedState& replay, const Collided& c,
+std::optional<std::string> wrong_retraction(const ImpliedState& implied, const Collided& c,
                                             const TracedEvent& event, const TetheringLaw& law, Real u) {
   const Point dp = event.dp.value();
-  const Answers allowed = allowed_answers(replay, c, law, u);
+  const Answers allowed = allowed_answers(implied, c, law, u);
   if (event.kind == "revolve") {
     if (!allowed.revolve) return "a revolution where retraction suffices";
-    const Point expected = c.mu * (c.v_AB - revolved(c, replay.stored(law.c_revolve),
-                                                     replay.stored_angle(law.theta_revolve_deg)));
+    const Point expected = c.mu * (c.v_AB - revolved(c, implied.stored(law.c_revolve),
+                                                     implied.stored_angle(law.theta_revolve_deg)));
     // v_ŵ errs by 15 u |v_AB|, so its direction by 15 u |v_AB|/|v_ŵ|; tan θ, lengths, powers and μ by 21 u
     // more.
     const Real direction = 15 * c.v_AB.norm() / c.v_across.norm() + 21;
@@ -65,7 +65,7 @@ std::optional<std::string> wrong_retraction(const ImpliedState& replay, const Co
   }
   if (dp.isZero(0) && allowed.nothing) return std::nullopt;
   if (!allowed.retract) return "a retraction that does not suffice";
-  const Point expected = (1 + replay.stored(law.c_retract)) * c.mu * c.v_n * c.axis;
+  const Point expected = (1 + implied.stored(law.c_retract)) * c.mu * c.v_n * c.axis;
   return beyond("impulse of the retraction beside eq. (4)", (dp - expected).norm(),
                 44 * u * kSpare * c.mu * c.v_AB.norm());
 }

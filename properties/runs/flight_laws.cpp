@@ -11,17 +11,17 @@
 namespace tps::properties::runs {
 namespace {
 
-std::string pair_name(const ImpliedState& replay, int i, int j) {
-  return std::to_string(replay.id_of(i)) + " and " + std::to_string(replay.id_of(j));
+std::string pair_name(const ImpliedState& implied, int i, int j) {
+  return std::to_string(implied.id_of(i)) + " and " + std::to_string(implied.id_of(j));
 }
 
 /// Least and largest distance of a pair between two instants: the vertex of the quadratic where it lies
 /// between, else the ends.
-std::pair<Real, Real> distances_between(const ImpliedState& replay, int i, int j, const Instant& from,
+std::pair<Real, Real> distances_between(const ImpliedState& implied, int i, int j, const Instant& from,
                                         const Instant& to) {
-  const Point first = replay.position(j, from) - replay.position(i, from);
-  const Point last = replay.position(j, to) - replay.position(i, to);
-  const Point v = replay.flight(j).velocity - replay.flight(i).velocity;
+  const Point first = implied.position(j, from) - implied.position(i, from);
+  const Point last = implied.position(j, to) - implied.position(i, to);
+  const Point v = implied.flight(j).velocity - implied.flight(i).velocity;
   Real least = std::min(first.norm(), last.norm());
   const Real at_vertex = v.isZero(0) ? 0 : -first.dot(v) / v.squaredNorm();
   if (at_vertex > 0 && at_vertex < elapsed(from, to)) least = std::min(least, (first + v * at_vertex).norm());
@@ -29,22 +29,22 @@ std::pair<Real, Real> distances_between(const ImpliedState& replay, int i, int j
 }
 
 /// A pair that is beyond one of its limits between two instants.
-std::optional<std::string> bound_broken(const ImpliedState& replay, const Allowance& allowance,
+std::optional<std::string> bound_broken(const ImpliedState& implied, const Allowance& allowance,
                                         const Instant& from, const Instant& to) {
-  for (int i = 0; i < replay.size(); ++i) {
-    for (int j = i + 1; j < replay.size(); ++j) {
-      const PairLaw* law = replay.law(i, j);
+  for (int i = 0; i < implied.size(); ++i) {
+    for (int j = i + 1; j < implied.size(); ++j) {
+      const PairLaw* law = implied.law(i, j);
       if (law == nullptr) continue;
-      const auto [least, most] = distances_between(replay, i, j, from, to);
+      const auto [least, most] = distances_between(implied, i, j, from, to);
       if (law->blocking) {
-        const Real limit = replay.stored(law->blocking->distance);
-        if (auto fault = beyond(pair_name(replay, i, j) + " within their inner limit by", limit - least,
+        const Real limit = implied.stored(law->blocking->distance);
+        if (auto fault = beyond(pair_name(implied, i, j) + " within their inner limit by", limit - least,
                                 allowance.distance(i, j, limit)))
           return fault;
       }
-      if (replay.tethered(i, j)) {
-        const Real limit = replay.stored(law->tethering->distance);
-        if (auto fault = beyond(pair_name(replay, i, j) + " past their outer limit by", most - limit,
+      if (implied.tethered(i, j)) {
+        const Real limit = implied.stored(law->tethering->distance);
+        if (auto fault = beyond(pair_name(implied, i, j) + " past their outer limit by", most - limit,
                                 allowance.distance(i, j, limit)))
           return fault;
       }
@@ -64,18 +64,18 @@ bool angles_are_lost(const Scene& scene, const Simulator& simulator) {
 RunVerdict keeps_distances(const Scene& scene, Simulator& simulator) {
   if (angles_are_lost(scene, simulator)) return RunVerdict::not_asked();
   const RunTrace trace = simulator.run(scene);
-  ImpliedState replay(scene, simulator.scalar());
-  Allowance allowance(replay, simulator.roundoff());
+  ImpliedState implied(scene, simulator.scalar());
+  Allowance allowance(implied, simulator.roundoff());
   Instant now;
   for (const TracedEvent& event : trace.events) {
-    allowance.note(replay, event);
-    if (auto fault = bound_broken(replay, allowance, now, event.t))
+    allowance.note(implied, event);
+    if (auto fault = bound_broken(implied, allowance, now, event.t))
       return RunVerdict::broken("before event " + std::to_string(event.k) + ": " + *fault);
-    replay.apply(event);
+    implied.apply(event);
     now = event.t;
   }
-  allowance.fly(replay, trace.end_time);
-  return RunVerdict::of(bound_broken(replay, allowance, now, trace.end_time));
+  allowance.fly(implied, trace.end_time);
+  return RunVerdict::of(bound_broken(implied, allowance, now, trace.end_time));
 }
 
 /// A collision happens at its limit, to pairs that move beyond it.

@@ -1,4 +1,4 @@
-// Groups: loads, expiry, unwinding (semantics §4), judged against the replay's own nested sets.
+// Groups: loads, expiry, unwinding (semantics §4), judged against the implied state's own nested sets.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,9 +10,9 @@
 namespace tps::properties::runs {
 namespace {
 
-std::string name_of(const ImpliedState& replay, const std::set<int>& particles) {
+std::string name_of(const ImpliedState& implied, const std::set<int>& particles) {
   std::string text;
-  for (const int p : particles) text += (text.empty() ? "{" : ", ") + std::to_string(replay.id_of(p));
+  for (const int p : particles) text += (text.empty() ? "{" : ", ") + std::to_string(implied.id_of(p));
   return text + "}";
 }
 
@@ -91,9 +91,9 @@ RunVerdict unwinds(const Scene& scene, Simulator& simulator) {
 }
 
 /// Particles in a finite scene, the infinite masses counted as one.
-Real bodies_at_most(const Scene& scene, const ImpliedState& replay) {
+Real bodies_at_most(const Scene& scene, const ImpliedState& implied) {
   int finite = 0;
-  for (int i = 0; i < replay.size(); ++i) finite += replay.is_fixed(i) ? 0 : 1;
+  for (int i = 0; i < implied.size(); ++i) finite += implied.is_fixed(i) ? 0 : 1;
   return Real(finite + (finite < static_cast<int>(scene.particles.size()) ? 1 : 0));
 }
 
@@ -111,9 +111,9 @@ RunVerdict has_few_events(const Scene& scene, Simulator& simulator) {
 
 /// The velocities that members of a group will have: what they move with and ±Δp_AB/m of each node above
 /// them, the deepest first, as no implementation unwinds them.
-std::map<int, Point> unwound_from_below(const ImpliedState& replay, const LoadedBody& body) {
+std::map<int, Point> unwound_from_below(const ImpliedState& implied, const LoadedBody& body) {
   std::map<int, Point> velocities;
-  for (const int p : body.members) velocities[p] = replay.flight(p).velocity;
+  for (const int p : body.members) velocities[p] = implied.flight(p).velocity;
   for (const LoadedNode& node : body.nodes) {
     for (const int p : node.side_i) velocities[p] += node.dp / node.mass_i;
     for (const int p : node.side_j) velocities[p] -= node.dp / node.mass_j;

@@ -76,22 +76,22 @@ const std::vector<HazardFloor>& hazard_floors() {
 
 std::set<std::string> hazards_met(const Scene& scene, const RunTrace& trace) {
   std::set<std::string> met;
-  ImpliedState replay(scene, "double");
-  note_starts(scene, replay, met);
+  ImpliedState implied(scene, "double");
+  note_starts(scene, implied, met);
   const TracedEvent* last = nullptr;
   for (std::size_t n = 0; n < trace.events.size(); ++n) {
     const TracedEvent& e = trace.events[n];
     met.insert(e.kind);
     if (e.tether == "formed") met.insert(e.tether);
     if (e.draw) met.insert("drawn");
-    if (e.j) note_collision(replay, e, met);
+    if (e.j) note_collision(implied, e, met);
     if (e.is_collision() && e.t.hi > 0x1p+39L) met.insert("late");
     if (last != nullptr && e.is_collision() && last->is_collision() && last->t == e.t &&
         (last->i != e.i || last->j != e.j))
       met.insert("tie");
     if (n >= 10 && elapsed(trace.events[n - 10].t, e.t) < 1e-6L) met.insert("crowded");
     last = &e;
-    replay.apply(e);
+    implied.apply(e);
   }
   return met;
 }

@@ -55,16 +55,16 @@ void check_law(const RunLaw& law, Simulator& simulator, int dimension, Instead* 
 
 std::optional<std::string> first_fault(const Scene& scene, Simulator& simulator, const EventJudge& judge) {
   const RunTrace trace = simulator.run(scene);
-  ImpliedState replay(scene, simulator.scalar());
+  ImpliedState implied(scene, simulator.scalar());
   for (const TracedEvent& event : trace.events) {
-    const std::optional<std::string> fault = judge(replay, event);
+    const std::optional<std::string> fault = judge(implied, event);
     if (fault) {
       std::string place = "event " + std::to_string(event.k) + " (" + event.kind;
       if (event.i) place += " " + std::to_string(*event.i);
       if (event.j) place += "-" + std::to_string(*event.j);
       return place + "): " + *fault;
     }
-    replay.apply(event);
+    implied.apply(event);
   }
   return std::nullopt;
 }

@@ -8,11 +8,11 @@
 namespace tps::properties::runs {
 namespace {
 
-bool has_room(const Scene& scene, const ImpliedState& replay, int i) {
+bool has_room(const Scene& scene, const ImpliedState& implied, int i) {
   const auto& capacity =
       scene.species[static_cast<std::size_t>(scene.particles[static_cast<std::size_t>(i)].species)]
           .max_tethers;
-  return !capacity || replay.tether_count(i) < *capacity;
+  return !capacity || implied.tether_count(i) < *capacity;
 }
 
 /// Whether a rebound draws and forms a tether, by semantics §3.

@@ -11,8 +11,8 @@
 
 namespace tps::properties::runs {
 
-inline Real radius_of(const Scene& scene, const ImpliedState& replay, int i) {
-  return replay.stored(scene.species[at(scene.particles[at(i)].species)].radius);
+inline Real radius_of(const Scene& scene, const ImpliedState& implied, int i) {
+  return implied.stored(scene.species[at(scene.particles[at(i)].species)].radius);
 }
 
 /// Landing errs by 16 u of coordinates and limits, flight by 64 u of its way, which in a box, the first wall,
