@@ -1,6 +1,7 @@
 // An implementation of the operations of the interface (docs/protocol.md), anybody's.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -63,6 +64,11 @@ class Implementation {
   }
   /// The operations that it says it offers; nothing where it does not say.
   virtual std::optional<std::vector<std::string>> offered() const { return std::nullopt; }
+  /// Whether it says that it offers one; so it may, where it does not say.
+  bool may_offer(Op op) const {
+    const auto names = offered();
+    return !names || std::find(names->begin(), names->end(), operations::name(op)) != names->end();
+  }
   /// Whether groups may have collisions at outer limits; the C header has none.
   virtual bool takes_outer_groups() const { return true; }
   /// What the questions that it takes have and have not, in the words of `tps scene random --features`.

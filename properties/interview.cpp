@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -124,13 +123,8 @@ Json Interview::ask(Op op, Json in) {
 }
 
 std::vector<TimingKind> Interview::timing_kinds() const {
-  const auto offered = subject_.offered();
   std::vector<TimingKind> kinds{TimingKind::block, TimingKind::tether};
-  if (!offered) return kinds;
-  std::erase_if(kinds, [&](TimingKind kind) {
-    return std::find(offered->begin(), offered->end(), operations::name(operations::timing_of(kind))) ==
-           offered->end();
-  });
+  std::erase_if(kinds, [&](TimingKind kind) { return !subject_.may_offer(operations::timing_of(kind)); });
   return kinds;
 }
 

@@ -59,7 +59,7 @@ void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, V
     if (operation == nullptr) continue;  // a pattern
     if (is_offered(subject, verdict, operation->op)) continue;
     std::erase(verdict.not_offered, name);
-    Row row{std::string(operation->part), name + ".offered", name, "offered", std::string(operation->page)};
+    Row row = row_of(operation->op, "offered");
     row.add({Class::refused, "asked for by --ops, and not offered"}, [&] {
       return Example{Class::refused, name, {}, {}, {}};
     });
@@ -68,9 +68,8 @@ void refuse_what_is_asked_for(const Implementation& subject, const Plan& plan, V
 }
 
 bool simulates(const Implementation& subject, const Plan& plan) {
-  const auto offered = subject.offered();
   const std::string simulate(operations::name(Op::simulate));
-  return offered && has(*offered, simulate) && plan.strata.empty() &&
+  return subject.offered() && subject.may_offer(Op::simulate) && plan.strata.empty() &&
          (plan.ops.empty() || has(plan.ops, simulate));
 }
 

@@ -72,10 +72,8 @@ class KnownAnswers {
  private:
   /// Whether an operation is wanted, and not one of which the subject says that it lacks it.
   bool is_asked(Op op) {
-    const std::string name(operations::name(op));
-    if (!wanted(plan_.ops, name)) return false;
-    const auto offered = subject_.offered();
-    if (!offered || has(*offered, name)) return true;
+    if (!wanted(plan_.ops, std::string(operations::name(op)))) return false;
+    if (subject_.may_offer(op)) return true;
     lacks(op);
     return false;
   }
@@ -96,9 +94,8 @@ class KnownAnswers {
   }
 
   void ask(const Stratum& stratum) {
-    const operations::Operation& operation = operations::operation(stratum.op);
-    const std::string name = fmt::format("{}.{}", operation.name, stratum.name);
-    plan_.progress(name);
+    Row row = row_of(stratum.op, stratum.name);
+    plan_.progress(row.name);
     std::vector<Question> questions;
     for (const KnownQuestion& each : stratum.cases) questions.push_back(each.question);
     const auto start = std::chrono::steady_clock::now();
@@ -107,8 +104,6 @@ class KnownAnswers {
     verdict_.environment.cpu_seconds += thread_seconds() - computed;
     verdict_.environment.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Row row{std::string(operation.part), name, std::string(operation.name), stratum.name,
-            std::string(operation.page)};
     row.reference = 0;
     const Answer* parent = nullptr;
     for (std::size_t n = 0; n < answers.size(); ++n) {
@@ -166,9 +161,14 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
 }
 
 bool is_offered(const Implementation& subject, const Verdict& verdict, Op op) {
-  const auto offered = subject.offered();
-  const std::string name(operations::name(op));
-  return offered ? has(*offered, name) : !has(verdict.not_offered, name);
+  return subject.offered() ? subject.may_offer(op)
+                           : !has(verdict.not_offered, std::string(operations::name(op)));
+}
+
+Row row_of(Op op, const std::string& hazard) {
+  const operations::Operation& operation = operations::operation(op);
+  const std::string name(operation.name);
+  return {std::string(operation.part), name + "." + hazard, name, hazard, std::string(operation.page)};
 }
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "properties/conform/expected.hpp"
+#include "properties/conform/inquiry.hpp"
 #include "properties/conform/judge_trace.hpp"
 #include "properties/conform/random_scene.hpp"
 #include "properties/conform/run_source.hpp"
@@ -17,15 +18,12 @@
 #include "properties/implementations/reference.hpp"
 #include "reference/text/input_error.hpp"
 #include "reference/text/plain_json.hpp"
-#include "verify/operations/catalogue.hpp"
 #include "verify/vectors/check_answers.hpp"
 
 namespace tps::properties::conform {
 namespace {
 
-const operations::Operation& asked_operation() {
-  return operations::operation(Op::next_event);
-}
+constexpr Op kOperation = Op::next_event;
 /// What a state alone does not say: who is loaded, what the clock is.
 constexpr const char* kLeftOut[] = {"no-groups", "no-draws", "no-phases", "no-impulses"};
 /// A scene's duration does not limit its next event.
@@ -156,8 +154,8 @@ Grade graded(const Step& step, const Answer& answer, std::string& reading) {
   }
 }
 
-std::string row_name(const std::string& kind) {
-  return fmt::format("{}.step_{}", asked_operation().name, kind);
+Row row_of_kind(const std::string& kind) {
+  return row_of(kOperation, "step_" + kind);
 }
 
 class Steps {
@@ -175,8 +173,8 @@ class Steps {
       const auto scene = random_scene(features_, plan_.seed, number);
       if (!scene) continue;
       ++asked;
-      plan_.progress(
-          fmt::format("{} from states of scene {} of seed {}", asked_operation().name, number, plan_.seed));
+      plan_.progress(fmt::format("{} from states of scene {} of seed {}", operations::name(kOperation),
+                                 number, plan_.seed));
       ask(walk(*scene), number);
     }
     for (auto& [kind, row] : rows_) verdict_.rows.push_back(std::move(row));
@@ -188,7 +186,7 @@ class Steps {
     std::vector<Step> steps;
     Json scene = without_duration(first);
     while (steps.size() < plan_.steps) {
-      Question question{asked_operation().op, {{"scene", scene}}};
+      Question question{kOperation, {{"scene", scene}}};
       Answer right = certified_->ask(question);
       if (right.status != Answer::Status::answered || right.out.contains("simulated")) break;
       const bool ends = right.out.at("kind") == "none";
@@ -201,7 +199,7 @@ class Steps {
 
   void ask(std::vector<Step> steps, std::uint64_t number) {
     std::erase_if(steps, [&](const Step& step) {
-      return !plan_.is_asked(row_name(step.right.at("kind").get<std::string>()));
+      return !plan_.is_asked(row_of_kind(step.right.at("kind").get<std::string>()).name);
     });
     std::vector<Question> questions;
     for (const Step& step : steps) questions.push_back(step.question);
@@ -214,12 +212,7 @@ class Steps {
     if (answer.status == Answer::Status::failed)
       return verdict_.note_failure({std::move(id), answer.reason, plan_.commands_of(step.question)});
     const std::string kind = step.right.at("kind").get<std::string>();
-    const operations::Operation& operation = asked_operation();
-    Row& row =
-        rows_
-            .try_emplace(kind, Row{std::string(operation.part), row_name(kind), std::string(operation.name),
-                                   "step_" + kind, std::string(operation.page)})
-            .first->second;
+    Row& row = rows_.try_emplace(kind, row_of_kind(kind)).first->second;
     std::string reading;
     const Grade grade = graded(step, answer, reading);
     row.add(grade, [&] {
@@ -243,7 +236,8 @@ class Steps {
 
 std::vector<std::string> step_rows() {
   std::vector<std::string> names;
-  for (const char* kind : {"rebound", "retract", "revolve", "break", "none"}) names.push_back(row_name(kind));
+  for (const char* kind : {"rebound", "retract", "revolve", "break", "none"})
+    names.push_back(row_of_kind(kind).name);
   return names;
 }
 

@@ -28,7 +28,6 @@
 #include "verify/cli/verbs.hpp"
 #include "verify/cli/when_called.hpp"
 #include "verify/cli/write_result.hpp"
-#include "verify/operations/catalogue.hpp"
 #include "verify/vectors/generate.hpp"
 
 namespace tps::cli {

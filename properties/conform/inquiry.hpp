@@ -39,6 +39,9 @@ bool has(const std::vector<std::string>& list, const std::string& name);
 /// whether it has refused none of its questions so far.
 bool is_offered(const Implementation& subject, const Verdict& verdict, Op op);
 
+/// A row of the table for one hazard of an operation, "block_time.graze".
+Row row_of(Op op, const std::string& hazard);
+
 /// Whether a list of patterns has one that fits the name; all are wanted where it is empty.
 bool wanted(const std::vector<std::string>& list, const std::string& name);
 

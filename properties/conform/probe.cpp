@@ -15,11 +15,6 @@ Answer answer_to(Implementation& subject, const Question& question) {
   return answer;
 }
 
-bool offers(Implementation& subject, Op op) {
-  const auto offered = subject.offered();
-  return !offered || std::find(offered->begin(), offered->end(), operations::name(op)) != offered->end();
-}
-
 Json vector(double x, double y) {
   return {to_hex<double>(x), to_hex<double>(y)};
 }
@@ -29,7 +24,7 @@ std::optional<double> returned(Implementation& subject, double x) {
   const Json v = vector(x, 0), zero = vector(0, 0);
   const Json masses{{"m_A", "0x1p+0"}, {"m_B", "0x1p+0"}, {"v_A", v}, {"v_B", v}};
   for (const auto& [op, key] : {std::pair{Op::apply_impulse, "v_A"}, std::pair{Op::load, "v_load"}}) {
-    if (!offers(subject, op)) continue;
+    if (!subject.may_offer(op)) continue;
     Json in = masses;
     if (op == Op::apply_impulse) in["dp"] = zero;
     const Answer answer = answer_to(subject, {op, in});
@@ -44,7 +39,7 @@ std::optional<double> returned(Implementation& subject, double x) {
 /// is not, and in one of two mirror images the pair seems to approach. Who is wrong about both is wrong for
 /// another reason.
 std::optional<bool> contracts(Implementation& subject) {
-  if (!offers(subject, Op::block_time)) return std::nullopt;
+  if (!subject.may_offer(Op::block_time)) return std::nullopt;
   int approaching = 0;
   for (const double side : {1.0, -1.0}) {
     const Json in{{"u_A", vector(0, 0)},

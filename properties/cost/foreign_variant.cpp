@@ -91,13 +91,10 @@ cost::Answer answer_of(const Answer& reply) {
 
 cost::Variant foreign_variant(const std::vector<std::string>& words) {
   const std::shared_ptr<Implementation> program = command(words, {});
-  const auto offered = program->offered();
   for (const Op op : {Op::block_time, Op::tether_time}) {
-    const std::string name(operations::name(op));
-    if (offered && std::find(offered->begin(), offered->end(), name) == offered->end()) {
-      throw ProgramError(program->name() + " does not offer " + name +
-                         ", which a study of timing queries needs");
-    }
+    if (program->may_offer(op)) continue;
+    throw ProgramError(program->name() + " does not offer " + std::string(operations::name(op)) +
+                       ", which a study of timing queries needs");
   }
   cost::Variant variant;
   variant.name = variant.formula = kForeignName;
